@@ -1,0 +1,1 @@
+"""From contact log to damage: wear depth and rolling contact fatigue indices on the wheel."""

@@ -1,0 +1,21 @@
+"""Wheel damage on heavy-haul railways: a multibody toolkit on Exudyn.
+
+A `Case` (one vehicle on one track, a plain TOML file) is simulated into logs on disk; damage is computed
+from the logs alone; playback and figures show both. Read in this order:
+
+=============================  ====================================================================
+`hh_exudyn.conventions`        frames, signs, units
+`hh_exudyn.case`               what a run is: vehicle, track, speed, friction, profiles, models
+`vehicles`, `track`            descriptions of the wagon and of the line; force laws without Exudyn
+`hh_exudyn.contact`            one wheel on one rail: profiles, patches, Hertz, FASTSIM, FaStrip
+`hh_exudyn.multibody`          the only importer of Exudyn: assembly, equilibrium, `simulate(case)`
+`hh_exudyn.log`                contact log, motion log and energy ledger as Parquet
+`damage`                       wear depth and rolling contact fatigue from the contact log
+`hh_exudyn.playback`           rerun recordings and headless pictures
+`hh_exudyn.cli`                the command ``hh-exudyn``
+=============================  ====================================================================
+
+The package itself imports nothing, so that a kernel costs only what it needs.
+"""
+
+__version__ = "0.1.0"

@@ -1,0 +1,75 @@
+"""What enters and leaves the contact kernels: NamedTuples and the columns of a contact state.
+
+Dataclasses cannot enter numba kernels, and a NamedTuple defined in a script never meets the kernel cache;
+so the types live here.
+"""
+
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+
+
+class SplineTable(NamedTuple):
+    """A profile z(y) as a cubic spline on a uniform grid, in side coordinates.
+
+    Value, slope and second derivative are continuous. Outside the grid there is no profile.
+    """
+
+    start: float  # y of the first node [m]
+    step: float  # node spacing [m]
+    z: FloatArray  # (n,) heights at the nodes [m]
+    second: FloatArray  # (n,) second derivatives d2z/dy2 at the nodes [1/m]
+
+
+class WheelRailModel(NamedTuple):
+    """Everything about the contact that does not change during a run.
+
+    The profiles of the left and right side may differ (a measured wheel, a worn high rail).
+    """
+
+    wheel_left: SplineTable
+    wheel_right: SplineTable
+    rail_left: SplineTable
+    rail_right: SplineTable
+    gauge_point_left: float  # y of the gauge point in the left rail's profile coordinates [m]
+    gauge_point_right: float
+    running_circle_distance: float  # half the lateral distance of the two running circles [m]
+    nominal_radius: float  # wheel radius at the running circle [m]
+    shear_modulus: float  # of both bodies [Pa]
+    poisson_ratio: float
+    damping: float  # Hunt-Crossley damping d of the normal force N (1 + d * approach rate) [s/m]
+    theory: int  # a value of `tangential.THEORIES`
+    cells_x: int  # cells of the tangential solve along and across the patch
+    cells_y: int
+
+
+class Patch(IntEnum):
+    """Columns of one contact state, as the kernels write it. Frame C, forces on the wheel, SI units."""
+
+    Y_WHEEL = 0  # lateral position on the wheel profile, side coordinates [m]
+    Y_RAIL = 1  # lateral position on the rail profile, side coordinates [m]
+    X_SHIFT = 2  # contact ahead (+) of the wheelset's centre along the track [m]
+    CONTACT_ANGLE = 3  # between contact plane and track plane, positive towards the flange [rad]
+    ROLLING_RADIUS = 4  # [m]
+    NORMAL_FORCE = 5  # [N]
+    A = 6  # semi-axis in rolling direction [m]
+    B = 7  # lateral semi-axis [m]
+    P_MAX = 8  # Hertz pressure [Pa]
+    NU_X = 9  # longitudinal creepage [-]
+    NU_Y = 10  # lateral creepage [-]
+    PHI = 11  # spin creepage [1/m]
+    FRICTION = 12  # friction coefficient [-]
+    FORCE_X = 13  # [N]
+    FORCE_Y = 14  # [N]
+    MOMENT_Z = 15  # [N m]
+    APPROACH = 16  # elastic approach along the normal [m]
+    POWER = 17  # power lost in the contact, creep and contact damping, > 0 is dissipation [W]
+    FLOORED = 18  # 1 where the lateral curvature met its floor (conformal contact), else 0
+
+
+PATCH_COLUMNS = len(Patch)
+MAX_PATCHES = 3  # patches of one wheel at once

@@ -1,0 +1,76 @@
+"""The one numba decorator of the project: `kernel`.
+
+Numba's file cache does not notice when a kernel in ANOTHER file changes, and then runs old code without
+a word. Here the cache folder is named by the hash of all sources of the four packages, so that any change
+of source starts an empty cache. It lies under the user's cache directory; where that cannot be written,
+kernels are compiled in every process and one warning says so.
+
+A kernel never raises: it returns a status or NaN, and its caller raises with wheel, time and position.
+"""
+
+import hashlib
+import os
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numba
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+_ROOT = Path(__file__).resolve().parent.parent
+_KERNEL_SOURCES = (  # every file that holds a kernel, or a constant or type that kernels use
+    "hh_exudyn/kernel.py",
+    "hh_exudyn/conventions.py",
+    "hh_exudyn/contact/*.py",
+    "hh_exudyn/multibody/*.py",
+    "vehicles/*.py",
+    "track/*.py",
+    "damage/*.py",
+)
+
+
+def source_hash() -> str:
+    """Hash (hexadecimal, 16 digits) of every source that kernels are made of, and of numba's version."""
+    digest = hashlib.sha256(numba.__version__.encode())
+    for pattern in _KERNEL_SOURCES:
+        for path in sorted(_ROOT.glob(pattern)):
+            digest.update(path.relative_to(_ROOT).as_posix().encode())
+            digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def _cache_folder() -> Path | None:
+    """The cache folder, made if need be; None (after one warning) where it cannot be written."""
+    base = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
+    folder = Path(base) / "hh_exudyn" / source_hash()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        probe = folder / f"probe-{os.getpid()}"
+        probe.touch()
+        probe.unlink()
+    except OSError as error:
+        warnings.warn(
+            f"no kernel cache: {folder} cannot be written ({error.strerror}); kernels are compiled anew "
+            "in every process. Set XDG_CACHE_HOME to a writable folder.",
+            RuntimeWarning,
+            stacklevel=2,
+        )
+        return None
+    return folder
+
+
+_FOLDER = _cache_folder()
+if _FOLDER is not None:
+    numba.config.CACHE_DIR = str(_FOLDER)
+
+
+def kernel(function: F) -> F:
+    """Compile a function to machine code (numba, no Python objects), cached by the hash of all sources.
+
+    Divisions by zero give infinities or NaN as in numpy instead of exceptions. Set NUMBA_DISABLE_JIT=1 to
+    run kernels as plain Python.
+    """
+    compiled: F = numba.njit(cache=_FOLDER is not None, error_model="numpy", nogil=True)(function)
+    return compiled

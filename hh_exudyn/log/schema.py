@@ -1,0 +1,82 @@
+"""Columns of the three logs of a run: name, unit, meaning. The one table that writers and readers share.
+
+Contact log: one row per output time, wheel and patch in contact. Motion log: one row per output time and
+body. Energy ledger: one row per output time. SI units throughout; contact quantities in frame C, forces on
+the wheel (see `hh_exudyn.conventions`).
+"""
+
+from typing import NamedTuple
+
+
+class Column(NamedTuple):
+    """One column of a log."""
+
+    name: str
+    kind: str  # "float64", "int32" or "string"
+    unit: str
+    meaning: str
+
+
+CONTACT = (
+    Column("time", "float64", "s", "since the start of the run"),
+    Column("s", "float64", "m", "arc length of the wheelset along the track"),
+    Column("vehicle", "int32", "-", "vehicle in the run, from 1"),
+    Column("bogie", "int32", "-", "bogie of the vehicle, from 1 at the leading end"),
+    Column("wheelset", "int32", "-", "wheelset of the vehicle, from 1 at the leading end"),
+    Column("side", "int32", "-", "+1 left, -1 right"),
+    Column("patch", "int32", "-", "patch of the wheel, from 0, deepest first"),
+    Column("y_wheel", "float64", "m", "lateral position on the wheel profile (side coordinates)"),
+    Column("y_rail", "float64", "m", "lateral position on the rail profile (side coordinates)"),
+    Column("x_shift", "float64", "m", "contact ahead of the wheelset's centre"),
+    Column("contact_angle", "float64", "rad", "contact plane to track plane, positive towards the flange"),
+    Column("rolling_radius", "float64", "m", "radius of the wheel at the contact"),
+    Column("normal_force", "float64", "N", "normal force"),
+    Column("a", "float64", "m", "semi-axis of the patch in rolling direction"),
+    Column("b", "float64", "m", "lateral semi-axis of the patch"),
+    Column("p_max", "float64", "Pa", "Hertz pressure"),
+    Column("nu_x", "float64", "-", "longitudinal creepage"),
+    Column("nu_y", "float64", "-", "lateral creepage"),
+    Column("phi", "float64", "1/m", "spin creepage"),
+    Column("friction", "float64", "-", "friction coefficient"),
+    Column("speed", "float64", "m/s", "forward speed of the wheelset, the reference of the creepages"),
+    Column("force_x", "float64", "N", "longitudinal creep force on the wheel"),
+    Column("force_y", "float64", "N", "lateral creep force on the wheel"),
+    Column("moment_z", "float64", "N m", "spin moment on the wheel"),
+    Column("Q", "float64", "N", "vertical force of the wheel on the rail (repeated on its patches)"),
+    Column("Y", "float64", "N", "lateral force of the wheel on the rail, outwards (repeated on its patches)"),
+    Column("angle_of_attack", "float64", "rad", "yaw of the wheelset to the track, positive to the left"),
+    Column("y_wheelset", "float64", "m", "lateral position of the wheelset's centre, positive to the left"),
+)
+
+MOTION = (
+    Column("time", "float64", "s", "since the start of the run"),
+    Column("body", "string", "-", "name of the body"),
+    Column("s", "float64", "m", "arc length of the body's centre along the track"),
+    Column("x", "float64", "m", "position of the centre of mass, global frame"),
+    Column("y", "float64", "m", "position, global frame"),
+    Column("z", "float64", "m", "position, global frame"),
+    Column("qw", "float64", "-", "unit quaternion body to global frame, scalar part"),
+    Column("qx", "float64", "-", "quaternion"),
+    Column("qy", "float64", "-", "quaternion"),
+    Column("qz", "float64", "-", "quaternion"),
+    Column("vx", "float64", "m/s", "velocity of the centre of mass, global frame"),
+    Column("vy", "float64", "m/s", "velocity, global frame"),
+    Column("vz", "float64", "m/s", "velocity, global frame"),
+    Column("wx", "float64", "rad/s", "angular velocity, body frame"),
+    Column("wy", "float64", "rad/s", "angular velocity, body frame"),
+    Column("wz", "float64", "rad/s", "angular velocity, body frame"),
+)
+
+ENERGY = (
+    Column("time", "float64", "s", "since the start of the run"),
+    Column("s", "float64", "m", "arc length of the car body's centre along the track"),
+    Column("coupler_force", "float64", "N", "force of the train on the vehicle, forward positive"),
+    Column("coupler_power", "float64", "W", "power of that force"),
+    Column("contact_power", "float64", "W", "power lost in the wheel-rail contacts"),
+    Column("friction_power", "float64", "W", "power taken by the dry-friction elements"),
+    Column("damper_power", "float64", "W", "power lost in dampers of vehicle and track"),
+    Column("kinetic_energy", "float64", "J", "of all bodies and track masses"),
+    Column("potential_energy", "float64", "J", "of gravity; zero at the start"),
+)
+
+LOGS = {"contact": CONTACT, "motion": MOTION, "energy": ENERGY}

@@ -1,0 +1,1 @@
+"""The only importer of Exudyn: vehicle and track descriptions become a multibody system and are run."""

@@ -1,0 +1,1 @@
+"""Rerun recordings of a run, and pictures of them taken without a screen."""

@@ -1,0 +1,1 @@
+"""The track: alignment, gauge, rails and the flexible substructure under each wheelset."""
