@@ -1,0 +1,229 @@
+"""From descriptions to the model of the force kernel, and from the model to an Exudyn system."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import exudyn as exu
+import numpy as np
+from exudyn.itemInterface import (
+    NodeGenericODE2,
+    NodeRigidBodyRotVecLG,
+    ObjectGenericODE2,
+    ObjectRigidBody,
+)
+
+from hh_exudyn.case import Case
+from hh_exudyn.contact.material import STEEL
+from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.contact.wheel_rail import wheel_rail_model
+from hh_exudyn.multibody.model import (
+    BODY_COORDINATES,
+    PARAMETERS,
+    TRACK_COORDINATES,
+    Couplings,
+    Kind,
+    SystemModel,
+    Train,
+)
+from track.flexibility import track_flexibility
+from track.rails import Rails
+from vehicles.description import AxleBoxPad, CentrePlate, Coupling, SideBearer, SpringNest, Vehicle, Wedge
+
+RIGID = "rigid"  # the case's word for track that does not move
+START_MARGIN = 1.0  # m of straight track behind the rear coupler head at the start
+
+
+def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
+    """The kernel's model of a vehicle on the track of a case."""
+    numbers = {body.name: i for i, body in enumerate(vehicle.bodies)}
+    rails = Rails(case.track.rail, case.track.rail, case.track.rail_inclination)
+    flexible = case.track.flexibility != RIGID
+    # rigid track keeps a parameter set that nothing reads: the kernel's types stay the same
+    flexibility = track_flexibility(case.track.flexibility if flexible else "concrete")
+    radii = {wheelset.radius for wheelset in vehicle.wheelsets}
+    if len(radii) > 1:
+        raise ValueError(f"vehicle {vehicle.name}: wheel radii {sorted(radii)} m must be equal")
+    return SystemModel(
+        mass=np.array([body.mass for body in vehicle.bodies]),
+        inertia=np.array([body.inertia for body in vehicle.bodies]),
+        couplings=_couplings(vehicle, numbers),
+        wheelsets=np.array([numbers[wheelset.body] for wheelset in vehicle.wheelsets]),
+        wheel_rail=wheel_rail_model(
+            case.wheel,
+            case.wheel,
+            rails.left_profile(),
+            rails.right_profile(),
+            nominal_radius=radii.pop(),
+            material=STEEL,
+            damping=case.contact.damping_s_per_m,
+            theory=case.contact.theory,
+            cells=case.contact.cells,
+        ),
+        friction=np.full((len(vehicle.wheelsets), 2), case.friction),
+        alignment=case.alignment().table,
+        flexible=flexible,
+        track=flexibility.parameters(),
+        track_mass=flexibility.masses(),
+        train=_train(vehicle, case, numbers),
+    )
+
+
+def start_middle(vehicle: Vehicle) -> float:
+    """Arc length of the vehicle's middle at the start [m]: its rear head stands just after s = 0."""
+    return START_MARGIN - min(point[0] for point in vehicle.coupler.points)
+
+
+def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
+    coupler = vehicle.coupler
+    body = vehicle.body(coupler.body)
+    heads = np.array(coupler.points)
+    return Train(
+        body=numbers[coupler.body],
+        heads=heads - np.array(body.position),
+        start=start_middle(vehicle) + heads[:, 0],
+        stiffness=coupler.stiffness,
+        damping=coupler.damping,
+        speed=case.speed,
+    )
+
+
+def _couplings(vehicle: Vehicle, numbers: dict[str, int]) -> Couplings:
+    positions = {body.name: np.array(body.position) for body in vehicle.bodies}
+    packed = [_pack(coupling) for coupling in vehicle.couplings]
+    return Couplings(
+        kind=np.array([kind for kind, _ in packed], dtype=np.int64),
+        body_a=np.array([numbers[coupling.body_a] for coupling in vehicle.couplings]),
+        body_b=np.array([numbers[coupling.body_b] for coupling in vehicle.couplings]),
+        point_a=np.array([np.array(c.point) - positions[c.body_a] for c in vehicle.couplings]),
+        point_b=np.array([np.array(c.point) - positions[c.body_b] for c in vehicle.couplings]),
+        parameters=np.array([row + [0.0] * (PARAMETERS - len(row)) for _, row in packed]),
+    )
+
+
+def _pack(coupling: Coupling) -> tuple[Kind, list[float]]:
+    """Kind and parameters in the order in which `couplings` unpacks them."""
+    c = coupling
+    match c:
+        case AxleBoxPad():
+            return Kind.AXLE_BOX_PAD, [*c.stiffness, *c.damping, c.roll_stiffness, c.yaw_stiffness]
+        case SpringNest():
+            return Kind.SPRING_NEST, [
+                c.first_stiffness,
+                c.second_stiffness,
+                c.second_from,
+                c.longitudinal_stiffness,
+                c.lateral_stiffness,
+                c.damping,
+                c.roll_stiffness,
+                c.pitch_stiffness,
+                c.warp_stiffness,
+                c.rotational_damping,
+                c.stop_clearance,
+                c.stop_stiffness,
+            ]
+        case Wedge():
+            return Kind.WEDGE, [
+                float(c.direction),
+                c.spring_stiffness,
+                c.preload / c.spring_stiffness,
+                c.tan_slope,
+                c.friction,
+                c.stick_stiffness,
+                c.stick_damping,
+            ]
+        case CentrePlate():
+            return Kind.CENTRE_PLATE, [
+                c.radius,
+                c.stiffness,
+                c.damping,
+                c.friction,
+                c.stick_stiffness,
+                c.stick_damping,
+                c.rim_clearance,
+                c.rim_stiffness,
+            ]
+        case SideBearer():
+            return Kind.SIDE_BEARER, [
+                c.preload,
+                c.stiffness,
+                c.damping,
+                c.stop_clearance,
+                c.stop_stiffness,
+                c.friction,
+                c.stick_stiffness,
+                c.stick_damping,
+            ]
+
+
+def exudyn_system(
+    model: SystemModel,
+    q: FloatArray,
+    v: FloatArray,
+    forces: Callable[[Any, float, int, Any, Any], FloatArray],
+    after_step: Callable[[Any, float], bool],
+) -> Any:
+    """The assembled Exudyn system: rigid bodies, track masses, and one object that brings all forces.
+
+    Parameters
+    ----------
+    q, v : initial coordinates and velocities (layout: `model`)
+    forces : user function of the force object, (mbs, t, item, q, q_t) -> generalized forces
+    after_step : (mbs, t) -> go on?, called after every accepted step
+    """
+    mbs = exu.SystemContainer().AddSystem()
+    nodes = []
+    for i, mass in enumerate(model.mass):
+        k = slice(BODY_COORDINATES * i, BODY_COORDINATES * (i + 1))
+        node = mbs.AddNode(
+            NodeRigidBodyRotVecLG(
+                referenceCoordinates=[0.0] * BODY_COORDINATES,
+                initialCoordinates=list(q[k]),
+                initialVelocities=list(v[k]),
+            )
+        )
+        mbs.AddObject(
+            ObjectRigidBody(
+                mass=mass,
+                inertia=[*model.inertia[i], 0.0, 0.0, 0.0],
+                nodeNumber=node,
+            )
+        )
+        nodes.append(node)
+    mass_diagonal = np.zeros(q.size)
+    if model.flexible:
+        first = BODY_COORDINATES * len(model.mass)
+        count = TRACK_COORDINATES * len(model.wheelsets)
+        mass_diagonal[first:] = np.tile(model.track_mass, len(model.wheelsets))
+        nodes.append(
+            mbs.AddNode(
+                NodeGenericODE2(
+                    referenceCoordinates=[0.0] * count,
+                    initialCoordinates=list(q[first:]),
+                    initialCoordinates_t=list(v[first:]),
+                    numberOfODE2Coordinates=count,
+                )
+            )
+        )
+    mbs.AddObject(
+        ObjectGenericODE2(
+            name="forces", nodeNumbers=nodes, massMatrix=np.diag(mass_diagonal), forceUserFunction=forces
+        )
+    )
+    mbs.Assemble()
+    mbs.SetPostStepUserFunction(after_step)
+    return mbs
+
+
+def explicit_settings(duration: float, step: float) -> Any:
+    """Exudyn's settings for the explicit Runge-Kutta method of fourth order at a constant step [s]."""
+    settings = exu.SimulationSettings()
+    settings.timeIntegration.endTime = duration
+    settings.timeIntegration.numberOfSteps = max(1, math.ceil(duration / step - 1e-9))
+    settings.timeIntegration.solverType = exu.DynamicSolverType.RK44
+    # four evaluations a step instead of five; nothing here reads accelerations
+    settings.timeIntegration.explicit.computeEndOfStepAccelerations = False
+    settings.timeIntegration.verboseMode = 0
+    settings.solution.file.write = False
+    settings.solution.sensors.active = False
+    return settings

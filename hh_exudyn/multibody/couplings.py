@@ -1,0 +1,252 @@
+"""All couplings of a vehicle in one kernel: relative motion, force law, forces and torques on both bodies.
+
+A coupling's displacement is that of its point on body B relative to body A, in the axes of A; force and
+moment act on B there, and their opposites on A at the same place, so that no coupling makes energy.
+"""
+
+import math
+
+import numpy as np
+
+from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.kernel import kernel
+from hh_exudyn.multibody.model import Couplings, Kind, Ledger, Workspace
+from hh_exudyn.multibody.vectors import Triple, add_to, cross, rotate, rotate_back, triple
+from vehicles.force_laws import clearance_stop, dry_friction, two_stage_spring, wedge
+
+_PAD = int(Kind.AXLE_BOX_PAD)
+_NEST = int(Kind.SPRING_NEST)
+_WEDGE = int(Kind.WEDGE)
+_PLATE = int(Kind.CENTRE_PLATE)
+_FRICTION = int(Ledger.FRICTION_POWER)
+_DAMPER = int(Ledger.DAMPER_POWER)
+
+RING_POINTS = 8
+_RING_X = np.cos(2.0 * np.pi * (np.arange(RING_POINTS) + 0.5) / RING_POINTS)
+_RING_Y = np.sin(2.0 * np.pi * (np.arange(RING_POINTS) + 0.5) / RING_POINTS)
+
+
+@kernel
+def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, work: Workspace) -> None:
+    """Add the forces of all couplings to `work.force` and `work.torque`; fill `work.new_sliders`.
+
+    With `settle` the wedges' friction in the vertical direction is off, for the static equilibrium.
+    """
+    for i in range(couplings.kind.size):
+        a = couplings.body_a[i]
+        b = couplings.body_b[i]
+        rotation_a = work.rotation[a]
+        arm_b = rotate(work.rotation[b], triple(couplings.point_b[i]))
+        arm_a = (
+            work.position[b, 0] + arm_b[0] - work.position[a, 0],
+            work.position[b, 1] + arm_b[1] - work.position[a, 1],
+            work.position[b, 2] + arm_b[2] - work.position[a, 2],
+        )
+        local = rotate_back(rotation_a, arm_a)
+        displacement = (
+            local[0] - couplings.point_a[i, 0],
+            local[1] - couplings.point_a[i, 1],
+            local[2] - couplings.point_a[i, 2],
+        )
+        swing_a = cross(triple(work.angular_velocity[a]), arm_a)
+        swing_b = cross(triple(work.angular_velocity[b]), arm_b)
+        rate = rotate_back(
+            rotation_a,
+            (
+                work.velocity[b, 0] + swing_b[0] - work.velocity[a, 0] - swing_a[0],
+                work.velocity[b, 1] + swing_b[1] - work.velocity[a, 1] - swing_a[1],
+                work.velocity[b, 2] + swing_b[2] - work.velocity[a, 2] - swing_a[2],
+            ),
+        )
+        parameters = couplings.parameters[i]
+        kind = couplings.kind[i]
+        if kind == _PAD:
+            force, moment = _pad(parameters, displacement, rate, rotation_a, work.rotation[b], work)
+        elif kind == _WEDGE:
+            force = _wedge(parameters, displacement, rate, sliders[i], settle, work.new_sliders[i], work)
+            moment = (0.0, 0.0, 0.0)
+        else:
+            angle = _relative_rotation(rotation_a, work.rotation[b])
+            turn = rotate_back(
+                rotation_a,
+                (
+                    work.angular_velocity[b, 0] - work.angular_velocity[a, 0],
+                    work.angular_velocity[b, 1] - work.angular_velocity[a, 1],
+                    work.angular_velocity[b, 2] - work.angular_velocity[a, 2],
+                ),
+            )
+            if kind == _NEST:
+                force, moment = _nest(parameters, displacement, rate, angle, turn, work)
+            elif kind == _PLATE:
+                force, moment = _plate(
+                    parameters, displacement, rate, angle, turn, sliders[i], work.new_sliders[i], work
+                )
+            else:
+                force = _side_bearer(parameters, displacement, rate, sliders[i], work.new_sliders[i], work)
+                moment = (0.0, 0.0, 0.0)
+        force = rotate(rotation_a, force)
+        moment = rotate(rotation_a, moment)
+        add_to(work.force[b], force, 1.0)
+        add_to(work.force[a], force, -1.0)
+        add_to(work.torque[b], cross(arm_b, force), 1.0)
+        add_to(work.torque[a], cross(arm_a, force), -1.0)
+        add_to(work.torque[b], moment, 1.0)
+        add_to(work.torque[a], moment, -1.0)
+
+
+@kernel
+def _relative_rotation(rotation_a: FloatArray, rotation_b: FloatArray) -> Triple:
+    """Small rotation of B relative to A in the axes of A, from the skew part of RA^T RB [rad]."""
+    x = 0.0
+    y = 0.0
+    z = 0.0
+    for k in range(3):
+        x += rotation_a[k, 2] * rotation_b[k, 1] - rotation_a[k, 1] * rotation_b[k, 2]
+        y += rotation_a[k, 0] * rotation_b[k, 2] - rotation_a[k, 2] * rotation_b[k, 0]
+        z += rotation_a[k, 1] * rotation_b[k, 0] - rotation_a[k, 0] * rotation_b[k, 1]
+    return 0.5 * x, 0.5 * y, 0.5 * z
+
+
+@kernel
+def _pad(
+    p: FloatArray, d: Triple, v: Triple, rotation_a: FloatArray, rotation_b: FloatArray, work: Workspace
+) -> tuple[Triple, Triple]:
+    """Linear pad; the wheelset spins, so roll and yaw are those of its axle direction."""
+    work.ledger[_DAMPER] += p[3] * v[0] ** 2 + p[4] * v[1] ** 2 + p[5] * v[2] ** 2
+    axle = rotate_back(rotation_a, (rotation_b[0, 1], rotation_b[1, 1], rotation_b[2, 1]))
+    return (
+        (-p[0] * d[0] - p[3] * v[0], -p[1] * d[1] - p[4] * v[1], -p[2] * d[2] - p[5] * v[2]),
+        (-p[6] * axle[2], 0.0, p[7] * axle[0]),
+    )
+
+
+@kernel
+def _nest(
+    p: FloatArray, d: Triple, v: Triple, angle: Triple, turn: Triple, work: Workspace
+) -> tuple[Triple, Triple]:
+    """Two-stage springs with shear, rotational stiffness and lateral stops."""
+    damping = p[5]
+    rotational = p[9]
+    work.ledger[_DAMPER] += damping * (v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
+    work.ledger[_DAMPER] += rotational * (turn[0] ** 2 + turn[1] ** 2 + turn[2] ** 2)
+    return (
+        (
+            -p[3] * d[0] - damping * v[0],
+            -p[4] * d[1] - damping * v[1] + clearance_stop(d[1], p[10], p[11]),
+            two_stage_spring(-d[2], p[0], p[1], p[2]) - damping * v[2],
+        ),
+        (
+            -p[6] * angle[0] - rotational * turn[0],
+            -p[7] * angle[1] - rotational * turn[1],
+            -p[8] * angle[2] - rotational * turn[2],
+        ),
+    )
+
+
+@kernel
+def _wedge(
+    p: FloatArray,
+    d: Triple,
+    v: Triple,
+    slider: FloatArray,
+    settle: bool,
+    new_slider: FloatArray,
+    work: Workspace,
+) -> Triple:
+    """Wedge: it goes down with the bolster, and when the bolster moves towards its column."""
+    direction = p[0]
+    tan_slope = p[3]
+    compression = p[2] - d[2] + direction * d[0] / tan_slope
+    compression_rate = -v[2] + direction * v[0] / tan_slope
+    slider_compression = compression if settle else slider[0]
+    lift, lateral, new_slider[0], new_slider[1] = wedge(
+        compression,
+        d[1],
+        slider_compression,
+        slider[1],
+        compression_rate,
+        v[1],
+        p[1],
+        tan_slope,
+        p[4],
+        p[5],
+        p[6],
+    )
+    work.ledger[_FRICTION] += (lift - p[1] * max(compression, 0.0)) * compression_rate - lateral * v[1]
+    return -direction * lift / tan_slope, lateral, lift
+
+
+@kernel
+def _plate(
+    p: FloatArray,
+    d: Triple,
+    v: Triple,
+    angle: Triple,
+    turn: Triple,
+    slider: FloatArray,
+    new_slider: FloatArray,
+    work: Workspace,
+) -> tuple[Triple, Triple]:
+    """Centre plate: a ring of one-sided contacts, dry friction in shear and yaw, and the rim.
+
+    The bounds of shear (mu N) and yaw (2/3 mu N radius) are kept apart: a plate that slides in yaw holds
+    against shear as if it did not, which the rim's clearance makes of little effect.
+    """
+    radius = p[0]
+    stiffness = p[1] / RING_POINTS
+    damping = p[2] / RING_POINTS
+    load = 0.0
+    moment_x = 0.0
+    moment_y = 0.0
+    for k in range(RING_POINTS):
+        x = radius * _RING_X[k]
+        y = radius * _RING_Y[k]
+        compression = -(d[2] + angle[0] * y - angle[1] * x)
+        if compression > 0.0:
+            compression_rate = -(v[2] + turn[0] * y - turn[1] * x)
+            force = max(stiffness * compression + damping * compression_rate, 0.0)
+            work.ledger[_DAMPER] += (force - stiffness * compression) * compression_rate
+            load += force
+            moment_x += force * y
+            moment_y -= force * x
+    force_x, force_y, new_slider[0], new_slider[1] = dry_friction(
+        d[0], d[1], slider[0], slider[1], v[0], v[1], p[4], p[5], p[3] * load
+    )
+    # two thirds of the radius: friction torque of a uniformly loaded flat disc
+    arm = 2.0 / 3.0 * radius
+    torque, _, new_slider[2], _ = dry_friction(
+        angle[2],
+        0.0,
+        slider[2],
+        0.0,
+        turn[2],
+        0.0,
+        p[4] * arm**2,
+        p[5] * arm**2,
+        p[3] * load * arm,
+    )
+    work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1] + torque * turn[2]
+    shear = math.hypot(d[0], d[1])
+    if shear > p[6]:
+        rim = -p[7] * (shear - p[6]) / shear
+        force_x += rim * d[0]
+        force_y += rim * d[1]
+    return (force_x, force_y, load), (moment_x, moment_y, torque)
+
+
+@kernel
+def _side_bearer(
+    p: FloatArray, d: Triple, v: Triple, slider: FloatArray, new_slider: FloatArray, work: Workspace
+) -> Triple:
+    """Constant-contact side bearer with its solid stop and the friction of its face."""
+    compression = p[0] / p[1] - d[2]
+    load = 0.0
+    if compression > 0.0:
+        spring = p[1] * compression + p[4] * max(-d[2] - p[3], 0.0)
+        load = max(spring - p[2] * v[2], 0.0)
+        work.ledger[_DAMPER] -= (load - spring) * v[2]
+    force_x, force_y, new_slider[0], new_slider[1] = dry_friction(
+        d[0], d[1], slider[0], slider[1], v[0], v[1], p[6], p[7], p[5] * load
+    )
+    work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1]
+    return force_x, force_y, load

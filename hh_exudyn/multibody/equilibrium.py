@@ -1,0 +1,112 @@
+"""Static equilibrium of a vehicle that rolls straight ahead at constant speed, before the run."""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.multibody.assembly import start_middle
+from hh_exudyn.multibody.model import BODY_COORDINATES, SystemModel, Workspace, coordinates
+from hh_exudyn.multibody.system import evaluate
+from track.alignment import Alignment
+from vehicles.description import Vehicle
+
+FORCE_TOLERANCE = 5.0  # N or N m, of any body, on weights of 1e4..1e6 N
+_CONTACT_GUESS = 0.1e-3  # m, approach under some 100 kN
+_DEFLECTION_GUESS = 2e-3  # m, of the track under a loaded wheel
+
+
+class Equilibrium(NamedTuple):
+    """State at rest relative to the moving vehicle."""
+
+    q: FloatArray  # coordinates
+    v: FloatArray  # velocities
+    sliders: FloatArray  # (couplings, SLIDERS) friction elements without vertical wedge friction
+    train_lag: float  # m that the vehicle stays behind its train: coupler force over stiffness
+
+
+class NoEquilibrium(RuntimeError):
+    """No static equilibrium was found; the text says how far off the best attempt was, and where."""
+
+
+def equilibrium(vehicle: Vehicle, alignment: Alignment, model: SystemModel, work: Workspace) -> Equilibrium:
+    """Solve for poses, rolling speeds and the force of the train on straight track.
+
+    The wheels roll, so the unknown of a wheelset's pitch is its spin rate instead of its angle; the vehicle
+    stands at a given place, so the unknown of the car body's place is the train's lag. Wedges carry no
+    vertical friction, as after a long smooth ride; all other sliders rest where the drawing has them.
+
+    Raises
+    ------
+    ValueError
+        The track does not begin with a straight as long as the vehicle.
+    NoEquilibrium
+        A residual force above `FORCE_TOLERANCE` remains.
+    """
+    middle = start_middle(vehicle)
+    front = middle + max(point[0] for point in vehicle.coupler.points)
+    table = alignment.table
+    curved = table.s[(np.abs(table.curvature) > 0.0) | (table.cant != 0.0)]
+    if curved.size and curved[0] < front - 1.0:
+        raise ValueError(
+            f"the track curves from {max(curved[0], 0.0):.1f} m on; it must begin with a straight of at least "
+            f"{front - 1.0:.1f} m for vehicle {vehicle.name}"
+        )
+    q, v = _guess(vehicle, model, middle)
+    sliders = np.zeros_like(work.new_sliders)
+    for place, x in enumerate([vehicle.body(w.body).position[0] for w in vehicle.wheelsets]):
+        work.arc_length[place] = middle + x
+    work.arc_length[len(vehicle.wheelsets) :] = model.train.start
+
+    spins = [BODY_COORDINATES * int(i) + 4 for i in model.wheelsets]
+    place = BODY_COORDINATES * model.train.body
+    weight = float(model.mass.sum()) * 9.81
+    start = model.train.start.copy()
+
+    def residual(unknown: FloatArray) -> FloatArray:
+        x = unknown * scale
+        q[:] = x
+        q[spins] = 0.0
+        v[spins] = x[spins]
+        q[place] = middle
+        model.train.start[:] = start + x[place]
+        evaluate(model, work, sliders, q, v, 0.0, True)
+        return work.generalized_force / weight * 1e3
+
+    scale = np.full(coordinates(model), 1e-3)
+    guess = q.copy()
+    guess[spins] = v[spins]
+    guess[place] = 0.0
+    solution = least_squares(residual, guess / scale, method="lm", xtol=1e-14, ftol=1e-14, gtol=1e-14)
+    force = residual(solution.x) * weight / 1e3
+    model.train.start[:] = start
+    worst = int(np.argmax(np.abs(force)))
+    if not np.abs(force[worst]) <= FORCE_TOLERANCE:
+        body = min(worst // BODY_COORDINATES, len(vehicle.bodies))
+        name = vehicle.bodies[body].name if body < len(vehicle.bodies) else "track"
+        raise NoEquilibrium(
+            f"no equilibrium for {vehicle.name}: {force[worst]:.3g} N (or N m) remains at {name}, allowed "
+            f"{FORCE_TOLERANCE:g}"
+        )
+    return Equilibrium(q.copy(), v.copy(), work.new_sliders.copy(), float(solution.x[place] * scale[place]))
+
+
+def _guess(vehicle: Vehicle, model: SystemModel, middle: float) -> tuple[FloatArray, FloatArray]:
+    """Drawing lowered by rough deflections, all at the train's speed."""
+    q = np.zeros(coordinates(model))
+    v = np.zeros(coordinates(model))
+    track = _DEFLECTION_GUESS if model.flexible else 0.0
+    lowered = {"wheelset": _CONTACT_GUESS, "side_frame": 1e-3, "bolster": 0.05, "car_body": 0.05}
+    for i, body in enumerate(vehicle.bodies):
+        k = BODY_COORDINATES * i
+        q[k : k + 3] = body.position
+        q[k] += middle
+        q[k + 2] -= lowered[body.kind] + track
+        v[k] = model.train.speed
+    for wheelset, i in zip(vehicle.wheelsets, model.wheelsets, strict=True):
+        v[BODY_COORDINATES * int(i) + 4] = model.train.speed / wheelset.radius
+    for k in range(BODY_COORDINATES * len(vehicle.bodies), q.size):
+        vertical = (k - BODY_COORDINATES * len(vehicle.bodies)) % 7 in (1, 3, 5)
+        q[k] = -track if vertical else 0.0
+    return q, v

@@ -1,0 +1,195 @@
+"""Forces of a whole vehicle on its track in one kernel call: couplings, wheels on rails, track, train."""
+
+import math
+
+from hh_exudyn.contact.types import FloatArray, Patch
+from hh_exudyn.contact.wheel_rail import wheel_rail_forces
+from hh_exudyn.conventions import GRAVITY
+from hh_exudyn.kernel import kernel
+from hh_exudyn.multibody.couplings import coupling_forces
+from hh_exudyn.multibody.model import (
+    BODY_COORDINATES,
+    TRACK_COORDINATES,
+    Ledger,
+    SystemModel,
+    Workspace,
+)
+from hh_exudyn.multibody.vectors import add_to, cross, rotate, rotate_back, rotation_matrix, triple
+from track.alignment import locate, rotation, track_frame
+from track.flexibility import track_forces
+
+_FORCE = int(Ledger.COUPLER_FORCE)
+_COUPLER = int(Ledger.COUPLER_POWER)
+_CONTACT = int(Ledger.CONTACT_POWER)
+_DAMPER = int(Ledger.DAMPER_POWER)
+_POWER = int(Patch.POWER)
+
+
+@kernel
+def evaluate(
+    model: SystemModel,
+    work: Workspace,
+    sliders: FloatArray,
+    q: FloatArray,
+    v: FloatArray,
+    time: float,
+    settle: bool,
+) -> int:
+    """Fill `work.generalized_force` for the coordinates q and velocities v (layout: `model`).
+
+    Returns 0, or the status of `wheel_rail_forces` (1 + number of the wheel that became NaN, counted
+    1L, 1R, 2L, ...). With `settle` the wedges' vertical friction is off.
+    """
+    for k in range(work.ledger.size):
+        work.ledger[k] = 0.0
+    _body_states(model, work, q, v)
+    coupling_forces(model.couplings, sliders, settle, work)
+    _train_forces(model, work, time)
+    _wheelset_states(model, work, q, v)
+    status = wheel_rail_forces(
+        model.wheel_rail,
+        work.frame_position,
+        work.frame_axle,
+        work.frame_velocity,
+        work.frame_angular_velocity,
+        work.rail_displacement,
+        work.rail_velocity,
+        work.gauge,
+        model.friction,
+        work.wrench,
+        work.rail_force,
+        work.patches,
+    )
+    _contact_forces(model, work)
+    _generalized_forces(model, work, q, v)
+    return status
+
+
+@kernel
+def _body_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArray) -> None:
+    """Pose and velocity of every body in global axes, and gravity as its first force."""
+    for i in range(model.mass.size):
+        k = BODY_COORDINATES * i
+        rotation_matrix(q[k + 3], q[k + 4], q[k + 5], work.rotation[i])
+        angular_velocity = rotate(work.rotation[i], triple(v[k + 3 :]))
+        for axis in range(3):
+            work.position[i, axis] = q[k + axis]
+            work.velocity[i, axis] = v[k + axis]
+            work.angular_velocity[i, axis] = angular_velocity[axis]
+            work.force[i, axis] = 0.0
+            work.torque[i, axis] = 0.0
+        work.force[i, 2] = -model.mass[i] * GRAVITY
+
+
+@kernel
+def _train_forces(model: SystemModel, work: Workspace, time: float) -> None:
+    """The train pulls at both coupler heads along the track, as if its neighbours kept a constant speed."""
+    train = model.train
+    body = train.body
+    heads = train.heads.shape[0]
+    for head in range(heads):
+        arm = rotate(work.rotation[body], triple(train.heads[head]))
+        place = model.wheelsets.size + head
+        s = locate(
+            model.alignment,
+            work.position[body, 0] + arm[0],
+            work.position[body, 1] + arm[1],
+            work.arc_length[place],
+        )
+        work.arc_length[place] = s
+        heading = track_frame(model.alignment, s)[3]
+        swing = cross(triple(work.angular_velocity[body]), arm)
+        speed = (work.velocity[body, 0] + swing[0]) * math.cos(heading) + (
+            work.velocity[body, 1] + swing[1]
+        ) * math.sin(heading)
+        force = (
+            train.stiffness * (train.start[head] + train.speed * time - s)
+            + train.damping * (train.speed - speed)
+        ) / heads
+        vector = (force * math.cos(heading), force * math.sin(heading), 0.0)
+        add_to(work.force[body], vector, 1.0)
+        add_to(work.torque[body], cross(arm, vector), 1.0)
+        work.ledger[_FORCE] += force
+        work.ledger[_COUPLER] += force * speed
+
+
+@kernel
+def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArray) -> None:
+    """Pose and velocity of every wheelset in its own frame T, and the state of the rails under it."""
+    for w in range(model.wheelsets.size):
+        body = model.wheelsets[w]
+        s = locate(model.alignment, work.position[body, 0], work.position[body, 1], work.arc_length[w])
+        work.arc_length[w] = s
+        x, y, z, heading, roll, _, gauge = track_frame(model.alignment, s)
+        frame = work.track_rotation[w]
+        rotation(heading, roll, frame)
+        work.gauge[w] = gauge
+        offset = (work.position[body, 0] - x, work.position[body, 1] - y, work.position[body, 2] - z)
+        turned = work.rotation[body]
+        for row, vector in (
+            (work.frame_position[w], offset),
+            (work.frame_axle[w], (turned[0, 1], turned[1, 1], turned[2, 1])),
+            (work.frame_velocity[w], triple(work.velocity[body])),
+            (work.frame_angular_velocity[w], triple(work.angular_velocity[body])),
+        ):
+            local = rotate_back(frame, vector)
+            row[0] = local[0]
+            row[1] = local[1]
+            row[2] = local[2]
+        if model.flexible:
+            k = BODY_COORDINATES * model.mass.size + TRACK_COORDINATES * w
+            for side in range(2):
+                for axis in range(2):
+                    work.rail_displacement[w, side, axis] = q[k + 2 * side + axis]
+                    work.rail_velocity[w, side, axis] = v[k + 2 * side + axis]
+
+
+@kernel
+def _contact_forces(model: SystemModel, work: Workspace) -> None:
+    """Wrenches of the rails onto the wheelsets, and the power lost in the contacts."""
+    for w in range(model.wheelsets.size):
+        body = model.wheelsets[w]
+        frame = work.track_rotation[w]
+        add_to(work.force[body], rotate(frame, triple(work.wrench[w])), 1.0)
+        add_to(work.torque[body], rotate(frame, triple(work.wrench[w, 3:])), 1.0)
+        for side in range(2):
+            for patch in range(work.patches.shape[2]):
+                work.ledger[_CONTACT] += work.patches[w, side, patch, _POWER]
+
+
+@kernel
+def _generalized_forces(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArray) -> None:
+    """Global forces and local torques of the bodies, then the forces of the track masses."""
+    result = work.generalized_force
+    for i in range(model.mass.size):
+        k = BODY_COORDINATES * i
+        local = rotate_back(work.rotation[i], triple(work.torque[i]))
+        for axis in range(3):
+            result[k + axis] = work.force[i, axis]
+            result[k + 3 + axis] = local[axis]
+    if model.flexible:
+        for w in range(model.wheelsets.size):
+            k = BODY_COORDINATES * model.mass.size + TRACK_COORDINATES * w
+            end = k + TRACK_COORDINATES
+            work.ledger[_DAMPER] += track_forces(
+                model.track, q[k:end], v[k:end], work.rail_force[w], result[k:end]
+            )
+
+
+@kernel
+def energies(model: SystemModel, work: Workspace, v: FloatArray) -> tuple[float, float]:
+    """Kinetic energy of bodies and track masses, and potential energy of gravity [J], after `evaluate`."""
+    kinetic = 0.0
+    potential = 0.0
+    for i in range(model.mass.size):
+        k = BODY_COORDINATES * i
+        potential += model.mass[i] * GRAVITY * work.position[i, 2]
+        for axis in range(3):
+            kinetic += 0.5 * model.mass[i] * v[k + axis] ** 2
+            kinetic += 0.5 * model.inertia[i, axis] * v[k + 3 + axis] ** 2
+    if model.flexible:
+        for w in range(model.wheelsets.size):
+            k = BODY_COORDINATES * model.mass.size + TRACK_COORDINATES * w
+            for n in range(TRACK_COORDINATES):
+                kinetic += 0.5 * model.track_mass[n] * v[k + n] ** 2
+    return kinetic, potential
