@@ -64,7 +64,8 @@ def load_parameters(name: str) -> ParameterSet:
             parameter = Parameter(full, float(entry["value"]), entry["unit"], entry["source"])
             if parameter.kind not in KINDS:
                 raise ValueError(
-                    f"{name}.toml: source of {full} starts with {parameter.kind!r}; allowed: {', '.join(KINDS)}"
+                    f"{name}.toml: source of {full} starts with {parameter.kind!r}; "
+                    f"allowed: {', '.join(KINDS)}"
                 )
             parameters.append(parameter)
     return ParameterSet(name, tuple(parameters))

@@ -19,7 +19,7 @@ SIDES = ((1, "L"), (-1, "R"))
 
 
 def bogie_bodies(p: ParameterSet, number: int, middle: float) -> tuple[Body, ...]:
-    """Bodies of bogie `number` (1 leading) with its middle at x = `middle` [m]: bolster, frames, wheelsets."""
+    """Bolster, side frames and wheelsets of bogie `number` (1 leading), its middle at x = `middle` [m]."""
     spacing = p["wheelset.axle_box_half_spacing"]
     bolster = Body(
         f"bolster_{number}",
@@ -52,7 +52,7 @@ def bogie_bodies(p: ParameterSet, number: int, middle: float) -> tuple[Body, ...
 
 
 def wheelset_name(bogie: int, end: int) -> str:
-    """Name of the leading (end +1) or trailing (-1) wheelset of a bogie; wheelsets count from 1 at the front."""
+    """Name of a bogie's leading (end +1) or trailing (-1) wheelset; they count from 1 at the front."""
     return f"wheelset_{2 * bogie - (1 if end > 0 else 0)}"
 
 

@@ -64,7 +64,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         alignment=case.alignment().table,
         flexible=flexible,
         track=flexibility.parameters(),
-        track_mass=flexibility.masses(),
+        track_mass=np.append(flexibility.masses(), [1.0, 1.0]),  # see `model` on the last two
         train=_train(vehicle, case, numbers),
     )
 
@@ -216,10 +216,14 @@ def exudyn_system(
 
 
 def explicit_settings(duration: float, step: float) -> Any:
-    """Exudyn's settings for the explicit Runge-Kutta method of fourth order at a constant step [s]."""
+    """Exudyn's settings for the explicit Runge-Kutta method of fourth order at a constant step [s].
+
+    The end is the last whole step within the duration [s].
+    """
     settings = exu.SimulationSettings()
-    settings.timeIntegration.endTime = duration
-    settings.timeIntegration.numberOfSteps = max(1, math.ceil(duration / step - 1e-9))
+    steps = max(1, math.floor(duration / step + 1e-9))
+    settings.timeIntegration.endTime = steps * step
+    settings.timeIntegration.numberOfSteps = steps
     settings.timeIntegration.solverType = exu.DynamicSolverType.RK44
     # four evaluations a step instead of five; nothing here reads accelerations
     settings.timeIntegration.explicit.computeEndOfStepAccelerations = False

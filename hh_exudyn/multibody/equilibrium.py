@@ -7,9 +7,15 @@ from scipy.optimize import least_squares
 
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.multibody.assembly import start_middle
-from hh_exudyn.multibody.model import BODY_COORDINATES, SystemModel, Workspace, coordinates
+from hh_exudyn.multibody.model import (
+    BODY_COORDINATES,
+    TRACK_COORDINATES,
+    SystemModel,
+    Workspace,
+    coordinates,
+)
 from hh_exudyn.multibody.system import evaluate
-from track.alignment import Alignment
+from track.alignment import Alignment, track_frame
 from vehicles.description import Vehicle
 
 FORCE_TOLERANCE = 5.0  # N or N m, of any body, on weights of 1e4..1e6 N
@@ -46,12 +52,12 @@ def equilibrium(vehicle: Vehicle, alignment: Alignment, model: SystemModel, work
     """
     middle = start_middle(vehicle)
     front = middle + max(point[0] for point in vehicle.coupler.points)
-    table = alignment.table
-    curved = table.s[(np.abs(table.curvature) > 0.0) | (table.cant != 0.0)]
-    if curved.size and curved[0] < front - 1.0:
+    # straight so far, if heading and cant at the front are still zero
+    _, _, _, heading, roll, _, _ = track_frame(alignment.table, front)
+    if abs(heading) > 1e-6 or abs(roll) > 1e-6:
         raise ValueError(
-            f"the track curves from {max(curved[0], 0.0):.1f} m on; it must begin with a straight of at least "
-            f"{front - 1.0:.1f} m for vehicle {vehicle.name}"
+            f"the track must begin with a straight of at least {front:.1f} m for vehicle {vehicle.name}: at "
+            f"s = {front:.1f} m it has turned by {heading:.2g} rad and rolled by {roll:.2g} rad"
         )
     q, v = _guess(vehicle, model, middle)
     sliders = np.zeros_like(work.new_sliders)
@@ -107,6 +113,6 @@ def _guess(vehicle: Vehicle, model: SystemModel, middle: float) -> tuple[FloatAr
     for wheelset, i in zip(vehicle.wheelsets, model.wheelsets, strict=True):
         v[BODY_COORDINATES * int(i) + 4] = model.train.speed / wheelset.radius
     for k in range(BODY_COORDINATES * len(vehicle.bodies), q.size):
-        vertical = (k - BODY_COORDINATES * len(vehicle.bodies)) % 7 in (1, 3, 5)
+        vertical = (k - BODY_COORDINATES * len(vehicle.bodies)) % TRACK_COORDINATES in (1, 3, 5)
         q[k] = -track if vertical else 0.0
     return q, v

@@ -1,9 +1,17 @@
 """What the force kernel of a whole vehicle needs: the model, its work space, and the layout of coordinates.
 
 Coordinates: six per body (position of the centre of mass in the global frame, rotation vector), then, on
-flexible track, seven per wheelset (`track.flexibility`). Velocities: global velocity and LOCAL angular
-velocity, as Exudyn's `NodeRigidBodyRotVecLG` has them; generalized forces are the conjugate global force
-and local torque.
+flexible track, nine per wheelset: the seven of `track.flexibility` and one for each rail whose VELOCITY is
+the rail's lateral velocity as the creepage feels it. Velocities: global velocity and LOCAL angular velocity,
+as Exudyn's `NodeRigidBodyRotVecLG` has them; generalized forces are the conjugate global force and local
+torque.
+
+Why the creepage feels the rail late: a steady-state creep force answers a sudden velocity at once, as a
+damper C/V of near 1 MN s/m between a wheelset and a rail of some 100 kg. A real contact must roll about one
+semi-axis a before its traction has built up (Kalker 1990, section 5.2: transition to steady rolling); until
+then it is a spring of stiffness C/a, about that of Mindlin. The rail's lateral velocity u in the creepage
+follows the rail with u' = (v - u) V/a. At rest and in steady rolling nothing changes; without it, explicit
+integration would need a quarter of the step.
 """
 
 from enum import IntEnum
@@ -19,7 +27,8 @@ from track.flexibility import TrackParameters
 IntArray = NDArray[np.int64]
 
 BODY_COORDINATES = 6
-TRACK_COORDINATES = 7  # per wheelset
+TRACK_MASSES = 7  # coordinates of `track.flexibility` per wheelset
+TRACK_COORDINATES = TRACK_MASSES + 2  # with the two velocities that the creepages feel
 
 
 class Kind(IntEnum):
@@ -47,14 +56,14 @@ PARAMETERS = 18  # numbers reserved for each coupling
 
 
 class Couplings(NamedTuple):
-    """All couplings of a vehicle as arrays, one row each; parameters in the order of the kernels' unpacking."""
+    """All couplings of a vehicle as arrays, one row each."""
 
     kind: IntArray  # (n,) a `Kind`
     body_a: IntArray  # (n,)
     body_b: IntArray  # (n,)
     point_a: FloatArray  # (n, 3) in the axes of body A from its centre of mass [m]
     point_b: FloatArray  # (n, 3) of body B
-    parameters: FloatArray  # (n, PARAMETERS)
+    parameters: FloatArray  # (n, PARAMETERS) in the order of the force laws in `couplings`
 
 
 class Train(NamedTuple):
@@ -80,7 +89,7 @@ class SystemModel(NamedTuple):
     alignment: AlignmentTable
     flexible: bool
     track: TrackParameters
-    track_mass: FloatArray  # (7,) [kg], [kg m^2]
+    track_mass: FloatArray  # (TRACK_COORDINATES,) [kg], [kg m^2], 1 for the creepage velocities
     train: Train
 
 

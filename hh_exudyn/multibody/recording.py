@@ -9,30 +9,15 @@ from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.kernel import kernel
 from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.log.schema import CONTACT, ENERGY, MOTION
-from hh_exudyn.multibody.model import BODY_COORDINATES, Ledger, SystemModel, Workspace
+from hh_exudyn.multibody.model import BODY_COORDINATES, IntArray, Ledger, SystemModel, Workspace
 from hh_exudyn.multibody.system import energies
 from track.alignment import locate
 from vehicles.description import Vehicle
 
-_SIDES = (LEFT, RIGHT)
-
-# columns of the contact log that are copied from a contact state
-_COPIED = (
-    Patch.Y_WHEEL,
-    Patch.Y_RAIL,
-    Patch.X_SHIFT,
-    Patch.CONTACT_ANGLE,
-    Patch.ROLLING_RADIUS,
-    Patch.NORMAL_FORCE,
-    Patch.A,
-    Patch.B,
-    Patch.P_MAX,
-    Patch.NU_X,
-    Patch.NU_Y,
-    Patch.PHI,
-    Patch.FRICTION,
-)
-_CREEP_FORCES = (Patch.FORCE_X, Patch.FORCE_Y, Patch.MOMENT_Z)
+_FIRST_COPIED = int(Patch.Y_WHEEL)  # columns of a contact state that the log takes over in one piece,
+_LAST_COPIED = int(Patch.FRICTION)  # up to this one, followed by the speed and the creep forces
+_NORMAL_FORCE = int(Patch.NORMAL_FORCE)
+_FORCE_X = int(Patch.FORCE_X)
 
 
 class LogWriter:
@@ -42,7 +27,7 @@ class LogWriter:
         self._model = model
         self._work = work
         self._recorder = recorder
-        self._bogies = [wheelset.bogie for wheelset in vehicle.wheelsets]
+        self._bogies = np.array([wheelset.bogie for wheelset in vehicle.wheelsets])
         self._contact = np.zeros((len(vehicle.wheelsets) * 2 * MAX_PATCHES, len(CONTACT)))
         self._motion = np.zeros((len(vehicle.bodies), len(MOTION)))
         self._energy = np.zeros((1, len(ENERGY)))
@@ -50,33 +35,12 @@ class LogWriter:
 
     def write(self, time: float, v: FloatArray) -> None:
         """Append one output time; the work space must hold the evaluation of this state."""
-        self._recorder.append_rows("contact", self._contact_rows(time))
+        count = _contact_rows(self._work, self._bogies, time, self._contact)
+        self._recorder.append_rows("contact", self._contact[:count])
         _motion_rows(self._model, self._work, v, time, self._motion)
         self._recorder.append_rows("motion", self._motion)
         self._energy_row(time, v)
         self._recorder.append_rows("energy", self._energy)
-
-    def _contact_rows(self, time: float) -> FloatArray:
-        work = self._work
-        rows = self._contact
-        count = 0
-        for w, bogie in enumerate(self._bogies):
-            axle = work.frame_axle[w]
-            angle_of_attack = math.atan2(-axle[0], axle[1])
-            for index, side in enumerate(_SIDES):
-                q = -work.rail_force[w, index, 1]
-                y = work.rail_force[w, index, 0] * side
-                for number, patch in enumerate(work.patches[w, index]):
-                    if patch[Patch.NORMAL_FORCE] <= 0.0:
-                        continue
-                    row = rows[count]
-                    row[:7] = (time, work.arc_length[w], 1, bogie, w + 1, side, number)
-                    row[7:20] = patch[list(_COPIED)]
-                    row[20] = work.frame_velocity[w, 0]
-                    row[21:24] = patch[list(_CREEP_FORCES)]
-                    row[24:] = (q, y, angle_of_attack, work.frame_position[w, 1])
-                    count += 1
-        return rows[:count]
 
     def _energy_row(self, time: float, v: FloatArray) -> None:
         work = self._work
@@ -98,6 +62,41 @@ class LogWriter:
             kinetic,
             potential - self._potential_at_start,
         )
+
+
+@kernel
+def _contact_rows(work: Workspace, bogies: IntArray, time: float, rows: FloatArray) -> int:
+    """Fill one row of the contact log per patch that carries load; returns their number."""
+    count = 0
+    for w in range(bogies.size):
+        angle_of_attack = math.atan2(-work.frame_axle[w, 0], work.frame_axle[w, 1])
+        for index in range(2):
+            side = LEFT if index == 0 else RIGHT
+            for number in range(work.patches.shape[2]):
+                patch = work.patches[w, index, number]
+                if patch[_NORMAL_FORCE] <= 0.0:
+                    continue
+                row = rows[count]
+                row[0] = time
+                row[1] = work.arc_length[w]
+                row[2] = 1
+                row[3] = bogies[w]
+                row[4] = w + 1
+                row[5] = side
+                row[6] = number
+                k = 7
+                for column in range(_FIRST_COPIED, _LAST_COPIED + 1):
+                    row[k] = patch[column]
+                    k += 1
+                row[k] = work.frame_velocity[w, 0]
+                for column in range(3):
+                    row[k + 1 + column] = patch[_FORCE_X + column]
+                row[k + 4] = -work.rail_force[w, index, 1]
+                row[k + 5] = work.rail_force[w, index, 0] * side
+                row[k + 6] = angle_of_attack
+                row[k + 7] = work.frame_position[w, 1]
+                count += 1
+    return count
 
 
 @kernel

@@ -10,6 +10,7 @@ from hh_exudyn.multibody.couplings import coupling_forces
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
     TRACK_COORDINATES,
+    TRACK_MASSES,
     Ledger,
     SystemModel,
     Workspace,
@@ -23,6 +24,9 @@ _COUPLER = int(Ledger.COUPLER_POWER)
 _CONTACT = int(Ledger.CONTACT_POWER)
 _DAMPER = int(Ledger.DAMPER_POWER)
 _POWER = int(Patch.POWER)
+_A = int(Patch.A)
+
+SHORTEST_TRANSITION = 5e-3  # m, a wheel that lifts off has a patch too short for any time step
 
 
 @kernel
@@ -139,9 +143,10 @@ def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: Floa
         if model.flexible:
             k = BODY_COORDINATES * model.mass.size + TRACK_COORDINATES * w
             for side in range(2):
-                for axis in range(2):
-                    work.rail_displacement[w, side, axis] = q[k + 2 * side + axis]
-                    work.rail_velocity[w, side, axis] = v[k + 2 * side + axis]
+                work.rail_displacement[w, side, 0] = q[k + 2 * side]
+                work.rail_displacement[w, side, 1] = q[k + 2 * side + 1]
+                work.rail_velocity[w, side, 0] = v[k + TRACK_MASSES + side]
+                work.rail_velocity[w, side, 1] = v[k + 2 * side + 1]
 
 
 @kernel
@@ -170,10 +175,14 @@ def _generalized_forces(model: SystemModel, work: Workspace, q: FloatArray, v: F
     if model.flexible:
         for w in range(model.wheelsets.size):
             k = BODY_COORDINATES * model.mass.size + TRACK_COORDINATES * w
-            end = k + TRACK_COORDINATES
+            end = k + TRACK_MASSES
             work.ledger[_DAMPER] += track_forces(
                 model.track, q[k:end], v[k:end], work.rail_force[w], result[k:end]
             )
+            for side in range(2):
+                semi_axis = max(work.patches[w, side, 0, _A], SHORTEST_TRANSITION)
+                rate = work.frame_velocity[w, 0] / semi_axis
+                result[end + side] = rate * (v[k + 2 * side] - v[end + side])
 
 
 @kernel
@@ -190,6 +199,6 @@ def energies(model: SystemModel, work: Workspace, v: FloatArray) -> tuple[float,
     if model.flexible:
         for w in range(model.wheelsets.size):
             k = BODY_COORDINATES * model.mass.size + TRACK_COORDINATES * w
-            for n in range(TRACK_COORDINATES):
+            for n in range(TRACK_MASSES):
                 kinetic += 0.5 * model.track_mass[n] * v[k + n] ** 2
     return kinetic, potential

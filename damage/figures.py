@@ -1,0 +1,221 @@
+"""Figures of the damage of a run, as papers show them. They need no display: matplotlib's own Figure is used.
+
+Every figure looks at the wheel profile in side coordinates: the flange is on the right in all panels.
+"""
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.colors import LinearSegmentedColormap, LogNorm
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from damage.contact_states import ContactSource
+from damage.material import ER7, WheelMaterial
+from damage.rcf import FLANGE_ANGLE
+from damage.report import DamageReport
+from damage.shakedown import point_contact_limit, working_points
+from damage.wheel_surface import FLANGE, TREAD, Wheel
+from hh_exudyn.contact.profile import Profile
+from hh_exudyn.conventions import LEFT
+
+FLANGE_ROOT = 0.026  # where the flange's shading starts: about the 10 degree point of S1002 [m]
+_SHOWN = (-0.065, 0.060)  # lateral range of the panels [m]
+# starts dark enough for a cell with one working point to be seen on white
+_DENSITY = LinearSegmentedColormap.from_list("density", colormaps["YlOrBr"](np.linspace(0.35, 1.0, 256)))
+_BELOW = 0.75  # room below zero, for the profile, over the room above [-]
+_TREAD_COLOUR, _FLANGE_COLOUR, _CONTACT_COLOUR = "#8c2d04", "#2b5c8a", "#c9c9c9"
+
+
+def wear_figure(
+    report: DamageReport,
+    profile: Profile | None = None,
+    vehicle: int | None = None,
+    outer_side: int | None = None,
+) -> Figure:
+    """Wear depth over the wheel profile, one panel per wheel.
+
+    The largest depths of tread and flange are written in, since flange wear dwarfs that of the tread.
+
+    Parameters
+    ----------
+    report
+        The damage of a run.
+    profile
+        Wheel profile to draw below the depth; None for none.
+    vehicle
+        Number of the vehicle; None for the first.
+    outer_side
+        Side of the outer wheels of the curve (+1 left, -1 right), to name them; None for no such names.
+    """
+    figure, panels = _panels(report, vehicle, outer_side, "wear depth [mm per 1000 km]")
+    y = report.surface.grid.centres
+    depths = {index: report.surface.depth_per_km[index] * 1e6 for index in panels}  # mm per 1000 km
+    _finish(panels, profile, max(float(depth.max()) for depth in depths.values()))
+    for index, axes in panels.items():
+        axes.fill_between(y * 1e3, depths[index], step="mid", color=_TREAD_COLOUR, linewidth=0)
+        for place, where, across in (("tread", y < FLANGE_ROOT, 0.02), ("flange", y >= FLANGE_ROOT, 0.985)):
+            largest = float(depths[index][where].max())
+            text = f"{place}: max {largest:.3g}" if largest > 0.0 else place
+            _corner_text(axes, text, across)
+    return figure
+
+
+def fatigue_figure(
+    report: DamageReport,
+    profile: Profile | None = None,
+    vehicle: int | None = None,
+    outer_side: int | None = None,
+) -> Figure:
+    """Share of the time that each place of the profile lay in a patch beyond shakedown, per wheel.
+
+    The share in contact is drawn behind it. Parameters are those of `wear_figure`.
+    """
+    figure, panels = _panels(report, vehicle, outer_side, "share of time [%]")
+    surface = report.surface
+    y = surface.grid.centres * 1e3
+    contact = {index: 100.0 * surface.contact_time[index].sum(axis=0) / surface.time for index in panels}
+    _finish(panels, profile, max(float(share.max()) for share in contact.values()))
+    for index, axes in panels.items():
+        axes.fill_between(
+            y, contact[index], step="mid", color=_CONTACT_COLOUR, linewidth=0, label="in contact"
+        )
+        for part, name, colour in (
+            (TREAD, "FI$_{surf}$ > 0, tread", _TREAD_COLOUR),
+            (FLANGE, "FI$_{surf}$ > 0, flange", _FLANGE_COLOUR),
+        ):
+            share = 100.0 * surface.fatigue_time[index, part] / surface.time
+            axes.fill_between(y, share, step="mid", color=colour, linewidth=0, label=name)
+        _corner_text(axes, "flange", 0.985)
+    handles, labels = next(iter(panels.values())).get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper center", ncols=3, frameon=False, fontsize=8)
+    return figure
+
+
+def shakedown_figure(
+    run: ContactSource, material: WheelMaterial = ER7, flange_angle: float = FLANGE_ANGLE
+) -> Figure:
+    """Working points of a contact log in the shakedown diagram of a point contact in full slip.
+
+    Parameters
+    ----------
+    run
+        A run, its directory, or its contact log as a table.
+    material
+        The wheel steel.
+    flange_angle
+        Contact angle above which a contact counts as flange contact [rad].
+    """
+    points = working_points(run, material.shear_yield, flange_angle)
+    tread = ~points.flange
+    figure = Figure(figsize=(5.0, 4.0), layout="constrained")
+    axes = figure.subplots()
+    largest = max(0.6, 1.1 * float(points.utilised_friction.max(initial=0.0)))
+    height = max(6.0, 1.05 * float(points.relative_pressure.max(initial=0.0)))
+    if tread.any():
+        density = axes.hexbin(
+            points.utilised_friction[tread],
+            points.relative_pressure[tread],
+            gridsize=60,
+            extent=(0.0, largest, 0.0, height),
+            mincnt=1,
+            norm=LogNorm(),
+            cmap=_DENSITY,
+            linewidths=0.0,
+        )
+        counts = np.asarray(density.get_array(), dtype=np.float64)
+        density.set_clim(1.0, max(10.0, float(counts.max())))
+        figure.colorbar(density, ax=axes, label="working points per cell, tread")
+    if points.flange.any():
+        axes.plot(
+            points.utilised_friction[points.flange],
+            points.relative_pressure[points.flange],
+            ".",
+            markersize=2.0,
+            color=_FLANGE_COLOUR,
+            label="flange",
+        )
+    friction = np.linspace(0.0, largest, 400)
+    axes.plot(friction, point_contact_limit(friction), color="black", linewidth=1.2, label="shakedown limit")
+    axes.text(0.97 * largest, 0.96 * height, "ratchetting", ha="right", va="top", fontsize=8, style="italic")
+    axes.text(0.03 * largest, 2.6, "shakedown", fontsize=8, style="italic")
+    axes.set_xlim(0.0, largest)
+    axes.set_ylim(0.0, height)
+    axes.set_xlabel("utilised friction $Q/P$ [-]")
+    axes.set_ylabel(f"$p_0/k$ [-], $k$ = {material.shear_yield * 1e-6:.0f} MPa ({material.name})")
+    axes.legend(loc="lower left", fontsize=8, frameon=False)
+    return figure
+
+
+def _panels(
+    report: DamageReport, vehicle: int | None, outer_side: int | None, quantity: str
+) -> tuple[Figure, dict[int, Axes]]:
+    """One panel per wheel of a vehicle: a row per wheelset, left wheels on the left.
+
+    Returns the figure and the panels by the wheel's index in the report.
+    """
+    wheels = report.surface.wheels
+    number = wheels[0].vehicle if vehicle is None else vehicle
+    shown = {wheel: index for index, wheel in enumerate(wheels) if wheel.vehicle == number}
+    if not shown:
+        raise ValueError(f"vehicle {number} is not in the report")
+    wheelsets = sorted({wheel.wheelset for wheel in shown})
+    figure = Figure(figsize=(7.0, 0.8 + 1.6 * len(wheelsets)), layout="constrained")
+    axes = figure.subplots(len(wheelsets), 2, sharex=True, sharey=True, squeeze=False)
+    panels = {}
+    for wheel, index in shown.items():
+        place = axes[wheelsets.index(wheel.wheelset), 0 if wheel.side == LEFT else 1]
+        place.set_title(_wheel_name(wheel, outer_side), fontsize=8, loc="left", pad=2)
+        panels[index] = place
+    figure.supylabel(quantity, fontsize=9)
+    figure.supxlabel("lateral position on the wheel profile [mm], flange on the right", fontsize=9)
+    return figure, panels
+
+
+def _wheel_name(wheel: Wheel, outer_side: int | None) -> str:
+    """Name of a wheel in a panel."""
+    curve = "" if outer_side is None else (", outer" if wheel.side == outer_side else ", inner")
+    return f"wheelset {wheel.wheelset}, {'left' if wheel.side == LEFT else 'right'}{curve}"
+
+
+def _corner_text(axes: Axes, text: str, across: float) -> None:
+    """Small text at the top of a panel; `across` from 0 (left) to 1 (right)."""
+    axes.text(
+        across,
+        0.95,
+        text,
+        transform=axes.transAxes,
+        ha="left" if across < 0.5 else "right",
+        va="top",
+        fontsize=7,
+        color="0.25",
+    )
+
+
+def _finish(panels: dict[int, Axes], profile: Profile | None, highest: float) -> None:
+    """One scale for all panels, the flange side marked, and the profile's outline below zero."""
+    top = 1.3 * highest if highest > 0.0 else 1.0
+    for axes in panels.values():
+        axes.set_xlim(_SHOWN[0] * 1e3, _SHOWN[1] * 1e3)
+        axes.set_ylim(0.0 if profile is None else -_BELOW * top, top)
+        axes.axvspan(FLANGE_ROOT * 1e3, _SHOWN[1] * 1e3, color="#eef3f8", zorder=0)
+        axes.axvline(0.0, color="0.85", linewidth=0.6, zorder=0)
+        axes.tick_params(labelsize=7, direction="in")
+        axes.set_yticks([tick for tick in MaxNLocator(4).tick_values(0.0, top) if 0.0 <= tick <= top])
+        if profile is not None:
+            axes.axhline(0.0, color="black", linewidth=0.6)
+            _draw_outline(axes, profile)
+
+
+def _draw_outline(axes: Axes, profile: Profile) -> None:
+    """The wheel profile in the lower part of a panel, with the wheel's body shaded."""
+    inside = (profile.y >= _SHOWN[0]) & (profile.y <= _SHOWN[1])
+    y, height = profile.y[inside] * 1e3, profile.z[inside] * 1e3
+    outline = axes.twinx()
+    span = float(height.max() - height.min())
+    bottom = float(height.min()) - 0.15 * span
+    above_zero = span * 1.4 / _BELOW  # the profile with its margins fills the part below zero
+    outline.set_ylim(bottom, bottom + 1.4 * span + above_zero)
+    outline.fill_between(y, height, height.max() + 0.1 * span, color="0.9", linewidth=0)
+    outline.plot(y, height, color="0.25", linewidth=1.0)
+    outline.set_yticks([])

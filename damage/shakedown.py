@@ -1,0 +1,128 @@
+"""Shakedown diagram of a point contact in full slip: Hertz pressure over utilised friction.
+
+The axes are the utilised friction Q/P and p0/k. The limit has two branches (Johnson, Contact Mechanics,
+1985; Hossein-Nia, 2018, figure 3-13 left):
+
+* at the surface p0/k = 1/mu, where the traction mu p0 itself reaches k;
+* below it the orthogonal shear stress decides. No residual stress left by rolling along x can carry
+  tau_xz (equilibrium with the free surface), so by Melan's theorem p0/k = 1/max|tau_xz/p0|.
+
+The second branch is tabulated for a circular patch, from the point force solutions of Boussinesq and
+Cerruti, where tau_xz does not depend on Poisson's ratio:
+
+    tau_xz/p0 = 3/(2 pi) int p/p0 (X z^2 + mu X^2 z)/R^5 dA,     X = x - x'
+
+`tests/damage/test_shakedown.py` integrates it again. At mu = 0 it gives the published 4.7, and it meets the
+surface branch at mu = 0.30. It is a necessary limit: no allowance is made for the other stress components.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from damage.contact_states import ContactSource, contact_chunks
+
+_FRICTION = np.array([0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35])
+_LARGEST_SHEAR = np.array(  # largest |tau_xz|/p0 below a circular patch in full slip
+    [0.213891, 0.227922, 0.242215, 0.256750, 0.271510, 0.286486, 0.301672, 0.317072]
+)
+
+
+@dataclass(frozen=True)
+class WorkingPoints:
+    """Working points of contact states in the shakedown diagram, one entry per row of the log.
+
+    Attributes
+    ----------
+    utilised_friction
+        Q/P = sqrt(force_x^2 + force_y^2) / normal_force [-].
+    relative_pressure
+        p0/k [-].
+    flange
+        True where the contact angle exceeds the flange angle asked for.
+    """
+
+    utilised_friction: NDArray[np.float64]
+    relative_pressure: NDArray[np.float64]
+    flange: NDArray[np.bool_]
+
+
+def point_contact_limit(friction: ArrayLike) -> NDArray[np.float64]:
+    """Shakedown limit p0/k [-] of a point contact in full slip.
+
+    Parameters
+    ----------
+    friction
+        Utilised friction Q/P [-], >= 0.
+
+    Raises
+    ------
+    ValueError
+        Friction below zero or NaN.
+    """
+    value = np.asarray(friction, dtype=np.float64)
+    if not np.all(value >= 0.0):
+        raise ValueError(f"friction must be >= 0 [-]; {np.count_nonzero(~(value >= 0.0))} values are not")
+    limit: NDArray[np.float64] = 1.0 / np.maximum(np.interp(value, _FRICTION, _LARGEST_SHEAR), value)
+    return limit
+
+
+def working_point(
+    force_x: ArrayLike,
+    force_y: ArrayLike,
+    normal_force: ArrayLike,
+    max_pressure: ArrayLike,
+    shear_yield: float,
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Place of contact states in the shakedown diagram.
+
+    Parameters
+    ----------
+    force_x, force_y
+        Creep forces [N].
+    normal_force
+        Normal force [N], >= 0; a contact without normal force has Q/P = 0.
+    max_pressure
+        Hertz pressure p0 [Pa].
+    shear_yield
+        Yield strength in pure shear k [Pa], > 0.
+
+    Returns
+    -------
+    utilised friction Q/P [-], relative pressure p0/k [-]
+    """
+    if not (math.isfinite(shear_yield) and shear_yield > 0.0):
+        raise ValueError(f"shear_yield = {shear_yield} Pa must be finite and > 0 Pa")
+    normal = np.asarray(normal_force, dtype=np.float64)
+    tangential = np.hypot(np.asarray(force_x, dtype=np.float64), np.asarray(force_y, dtype=np.float64))
+    loaded = normal > 0.0
+    utilised = np.where(loaded, tangential, 0.0) / np.where(loaded, normal, 1.0)
+    return utilised, np.asarray(max_pressure, dtype=np.float64) / shear_yield
+
+
+def working_points(source: ContactSource, shear_yield: float, flange_angle: float) -> WorkingPoints:
+    """Working points of a whole contact log.
+
+    Parameters
+    ----------
+    source
+        A run, its directory, or a contact log as a table.
+    shear_yield
+        Yield strength in pure shear k [Pa].
+    flange_angle
+        Contact angle above which a contact is on the flange [rad].
+    """
+    wanted = ("time", "force_x", "force_y", "normal_force", "p_max", "contact_angle")
+    utilised, pressure, flange = [], [], []
+    for chunk in contact_chunks(source, wanted):
+        point = working_point(
+            chunk["force_x"], chunk["force_y"], chunk["normal_force"], chunk["p_max"], shear_yield
+        )
+        utilised.append(point[0])
+        pressure.append(point[1])
+        flange.append(chunk["contact_angle"] > flange_angle)
+    if not utilised:
+        return WorkingPoints(np.empty(0), np.empty(0), np.empty(0, dtype=np.bool_))
+    return WorkingPoints(np.concatenate(utilised), np.concatenate(pressure), np.concatenate(flange))

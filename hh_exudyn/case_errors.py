@@ -1,0 +1,125 @@
+"""One clear line out of pydantic's errors: key path, value, unit, what is allowed, and a guess at typos."""
+
+import difflib
+import json
+from collections.abc import Iterable
+from typing import Any, get_args
+
+from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
+from pydantic_core import ErrorDetails
+
+
+class CaseError(ValueError):
+    """A case that cannot be run; the message is one line for the user."""
+
+
+def closest(word: str, known: Iterable[str]) -> str:
+    """``; did you mean "..."?`` with the nearest known word, or nothing where none is near."""
+    near = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
+    return f'; did you mean "{near[0]}"?' if near else ""
+
+
+def explain(error: ValidationError, model: type[BaseModel]) -> str:
+    """The first error of `model` as one line, and how many more there are.
+
+    Unknown keys come first: a misspelt key is the cause of the missing one.
+    """
+    errors = sorted(error.errors(), key=lambda item: item["type"] != "extra_forbidden")
+    line = " ".join(_line(errors[0], model).split())
+    return line if len(errors) == 1 else f"{line} (and {len(errors) - 1} more)"
+
+
+def _line(item: ErrorDetails, model: type[BaseModel]) -> str:
+    """One error as text."""
+    key, owner, field = _locate(model, item["loc"])
+    extra = field.json_schema_extra if field is not None else None
+    texts = extra if isinstance(extra, dict) else {}
+    unit = "" if texts.get("unit", "-") == "-" else f" {texts['unit']}"
+    value, context = item["input"], item.get("ctx", {})
+    allowed = f"allowed {texts['allowed']}{unit}" if "allowed" in texts else ""
+
+    match item["type"]:
+        case "extra_forbidden":
+            name = str(item["loc"][-1])
+            known = list(owner.model_fields)
+            hint = closest(name, known) or f"; known keys: {', '.join(known)}"
+            return f"unknown key {key} = {_shown(value)}{hint}"
+        case "missing":
+            return f"{key} is missing" + (f": {allowed}" if allowed else "")
+        case "union_tag_not_found":
+            return f"{key}.kind is missing: allowed {', '.join(_tags(field))}"
+        case "union_tag_invalid":
+            tag, tags = str(context["tag"]), _tags(field)
+            return f'{key}.kind = "{tag}": allowed {", ".join(tags)}{closest(tag, tags)}'
+        case "literal_error":
+            names = [] if field is None else list(get_args(field.annotation))
+            hint = closest(value, names) if isinstance(value, str) else ""
+            return f"{key} = {_shown(value)}: allowed {', '.join(names)}{hint}"
+        case "value_error":
+            reason = str(context["error"])
+            if field is None:
+                return reason
+            return f"{key}: {reason}" if isinstance(value, dict) else f"{key} = {_shown(value)}: {reason}"
+    shown = f"{_shown(value)}{unit}" if isinstance(value, int | float) else _shown(value)
+    return f"{key} = {shown}: {allowed or _expected(field) or item['msg']}"
+
+
+def _locate(
+    model: type[BaseModel], location: tuple[int | str, ...]
+) -> tuple[str, type[BaseModel], FieldInfo | None]:
+    """Key path as in the file, the table that holds the key, and its field (None if unknown)."""
+    key, owner, field = "", model, None
+    inner: list[type[BaseModel]] = [model]  # tables that the next key may belong to
+    for part in location:
+        if isinstance(part, int):
+            key += f"[{part}]"
+            continue
+        tagged = [table for table in inner if _tag(table) == part]
+        if tagged and len(inner) > 1:  # the kind of a section stands in pydantic's path, not in the file
+            inner, field = tagged, None
+            continue
+        owner = inner[0]
+        key += f".{part}" if key else part
+        field = owner.model_fields.get(part)
+        if field is None:
+            break
+        inner = _tables(field.annotation)
+    return key, owner, field
+
+
+def _tables(annotation: Any) -> list[type[BaseModel]]:
+    """The models inside a type."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return [annotation]
+    return [table for inner in get_args(annotation) for table in _tables(inner)]
+
+
+def _tag(table: type[BaseModel]) -> str | None:
+    """The kind of a section model."""
+    field = table.model_fields.get("kind")
+    return None if field is None else str(field.default)
+
+
+def _tags(field: FieldInfo | None) -> list[str]:
+    """All kinds that a field may take."""
+    tables = [] if field is None else _tables(field.annotation)
+    return [str(_tag(table)) for table in tables]
+
+
+def _expected(field: FieldInfo | None) -> str:
+    """What a field without a range takes."""
+    if field is None:
+        return ""
+    return "allowed a table" if _tables(field.annotation) else "allowed a text"
+
+
+def _shown(value: Any) -> str:
+    """A value as the file would have it, cut where long."""
+    if isinstance(value, float):
+        return f"{value:g}"
+    try:
+        text = json.dumps(value)
+    except TypeError:
+        text = str(value)
+    return text if len(text) <= 60 else text[:57] + "..."

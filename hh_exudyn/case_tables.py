@@ -1,0 +1,183 @@
+"""The tables of a case file: track with its sections, contact, integration. See `hh_exudyn.case`."""
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
+
+from hh_exudyn.contact.profile import Profile, read_rail_profile
+from hh_exudyn.conventions import NOMINAL_GAUGE
+from track.alignment import Curve, Straight, Transition
+from track.flexibility import track_flexibility
+from track.rails import Rails
+
+LARGEST_GAUGE_MM = 1470.0  # beyond it a wheel may drop between the rails
+RIGID = "rigid"  # the flexibility of a track without any
+
+
+def number(unit: str, low: float, high: float, default: Any = ...) -> Any:
+    """Field of a number from `low` to `high` [unit]; the error messages read the same texts."""
+    extra: dict[str, Any] = {"unit": unit, "allowed": f"{low:g} to {high:g}"}
+    return Field(default, ge=low, le=high, json_schema_extra=extra)
+
+
+def _gauge() -> Any:
+    """Field of a gauge [mm]; the least gauge follows from the wheel profile, see `Case`."""
+    extra: dict[str, Any] = {"unit": "mm", "allowed": f"up to {LARGEST_GAUGE_MM:g}"}
+    return Field(NOMINAL_GAUGE * 1000, le=LARGEST_GAUGE_MM, json_schema_extra=extra)
+
+
+class CaseTable(BaseModel):
+    """Frozen; no unknown keys, no numbers in quotes, no NaN or infinity."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
+
+
+class StraightCase(CaseTable):
+    """A straight."""
+
+    kind: Literal["straight"] = "straight"
+    length_m: float = number("m", 1, 100_000)
+    gauge_mm: float = _gauge()
+
+    def section(self) -> Straight:
+        """The section in SI."""
+        return Straight(length=self.length_m, gauge=self.gauge_mm / 1000)
+
+
+class TransitionCase(CaseTable):
+    """A clothoid with a linear cant ramp between its two neighbours."""
+
+    kind: Literal["transition"] = "transition"
+    length_m: float = number("m", 1, 10_000)
+
+    def section(self) -> Transition:
+        """The section in SI."""
+        return Transition(length=self.length_m)
+
+
+class CurveCase(CaseTable):
+    """A curve of constant radius; the cant raises its outer rail."""
+
+    kind: Literal["curve"] = "curve"
+    length_m: float = number("m", 1, 100_000)
+    radius_m: float = number("m", 100, 20_000)
+    hand: Literal["left", "right"]
+    cant_mm: float = number("mm", 0, 180, 0.0)
+    gauge_mm: float = _gauge()
+
+    def section(self) -> Curve:
+        """The section in SI."""
+        return Curve(
+            length=self.length_m,
+            radius=self.radius_m,
+            hand=self.hand,
+            cant=self.cant_mm / 1000,
+            gauge=self.gauge_mm / 1000,
+        )
+
+
+Section = Annotated[StraightCase | TransitionCase | CurveCase, Field(discriminator="kind")]
+
+
+class TrackCase(CaseTable):
+    """Rails, their foundation, and the alignment section by section."""
+
+    rail: str = "60E1"
+    inclination: str | float = Field(default="1:30", json_schema_extra={"allowed": '"1:15" to "1:100", or 0'})
+    flexibility: str = "concrete"
+    sections: tuple[Section, ...] = Field(
+        strict=False, min_length=1, json_schema_extra={"allowed": "one or more sections"}
+    )
+
+    @field_validator("rail")
+    @classmethod
+    def _check_rail(cls, value: str) -> str:
+        if is_path(value):
+            read_profile(read_rail_profile, value)
+        else:
+            Rails(left=value, right=value).left_profile()
+        return value
+
+    @field_validator("inclination")
+    @classmethod
+    def _check_inclination(cls, value: str | float) -> str | float:
+        slope = _slope(value)
+        if not (slope == 0.0 or 1 / 100 <= slope <= 1 / 15):
+            raise ValueError('allowed "1:15" to "1:100", or 0 for an upright rail')
+        return value
+
+    @field_validator("flexibility")
+    @classmethod
+    def _check_flexibility(cls, value: str) -> str:
+        if value != RIGID:
+            try:
+                track_flexibility(value)
+            except ValueError as error:
+                raise ValueError(f"{error}, {RIGID}") from None
+        return value
+
+    @property
+    def rail_inclination(self) -> float:
+        """Inclination of the rails towards the track centre as a slope [-], e.g. 1/30."""
+        return _slope(self.inclination)
+
+    @property
+    def rails(self) -> Rails:
+        """Both rails, with their inclination."""
+        return Rails(left=self.rail, right=self.rail, inclination=self.rail_inclination)
+
+
+_Cells = Annotated[int, Field(ge=5, le=100)]
+
+
+class ContactCase(CaseTable):
+    """Tangential theory, its grid, and the damping of the normal force."""
+
+    theory: Literal["fastrip", "fastsim"] = "fastrip"
+    cells: tuple[_Cells, _Cells] = Field(
+        default=(20, 20), strict=False, json_schema_extra={"allowed": "two whole numbers from 5 to 100"}
+    )
+    damping_s_per_m: float = number("s/m", 0, 20, 1.0)
+
+
+class IntegrationCase(CaseTable):
+    """Step of the time integration and distance in time of the logged states."""
+
+    step_ms: float = number("ms", 0.05, 1, 0.5)
+    output_interval_ms: float = number("ms", 0.05, 1000, 5.0)
+
+    @model_validator(mode="after")
+    def _whole_steps(self) -> Self:
+        steps = self.output_interval_ms / self.step_ms
+        if round(steps) < 1 or abs(steps - round(steps)) > 1e-6 * steps:
+            raise ValueError(
+                f"output_interval_ms = {self.output_interval_ms:g} ms: allowed whole multiples of "
+                f"step_ms = {self.step_ms:g} ms"
+            )
+        return self
+
+
+def is_path(name: str) -> bool:
+    """Whether a wheel profile is a file: names of published profiles have neither folder nor ending."""
+    return "/" in name or "\\" in name or "." in name
+
+
+def read_profile(reader: Callable[[Path], Profile], path: str) -> Profile:
+    """Read a profile; a file that may not be read is bad input too."""
+    try:
+        return reader(Path(path))
+    except OSError as error:
+        raise ValueError(f"cannot be read: {error.strerror}") from None
+
+
+def _slope(value: str | float) -> float:
+    """``"1:30"`` or a number as a slope [-]."""
+    if not isinstance(value, str):
+        return float(value)
+    match = re.fullmatch(r"1:(\d+(?:\.\d+)?)", value.replace(" ", ""))
+    if match is None or float(match[1]) == 0.0:
+        raise ValueError('allowed "1:15" to "1:100", or 0 for an upright rail')
+    return 1.0 / float(match[1])

@@ -1,0 +1,340 @@
+"""The command ``hh-exudyn``: run a case, demo, damage, playback. It knows everything and computes nothing.
+
+=========  ==================================================================================
+exit code  meaning
+=========  ==================================================================================
+0          done
+1          a fault of the program: one line, and where the traceback was written
+2          bad input: one line that says what is allowed; nothing was begun or written over
+3          the vehicle derailed or the run diverged; the log so far is kept
+130        Ctrl-C; the log so far is kept
+=========  ==================================================================================
+
+Everything heavy is imported inside the commands, so that ``--help`` answers at once.
+"""
+
+import sys
+import tempfile
+import traceback
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from importlib import resources
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, NoReturn
+
+import typer
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.markup import escape
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Table
+
+from hh_exudyn import __version__
+from hh_exudyn.case_errors import CaseError
+
+if TYPE_CHECKING:
+    import pyarrow
+
+    from damage.summary import WheelsetSummary
+    from hh_exudyn.case import Case
+    from hh_exudyn.log.store import Run
+
+FAULT, BAD_INPUT, STOPPED, INTERRUPTED = 1, 2, 3, 130
+RECORDING = "playback.rrd"
+TABLE_WIDTH = 100  # of a table that goes into a file or a pipe
+
+app = typer.Typer(
+    help="Wheel damage on heavy-haul railways.",
+    add_completion=False,
+    no_args_is_help=True,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+)
+out = Console(soft_wrap=True, highlight=False)
+err = Console(stderr=True, soft_wrap=True, highlight=False)
+
+NewFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="New or empty folder for the run.")]
+RunFolder = Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")]
+
+
+class Refused(ValueError):
+    """What the user asked for cannot be done; the message is one line."""
+
+
+def main() -> None:
+    """Entry point of ``hh-exudyn``."""
+    try:
+        app()
+    except KeyboardInterrupt:  # outside of a command: while a library is imported
+        sys.exit(INTERRUPTED)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        out.print(f"hh-exudyn {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Show the version.")
+    ] = False,
+) -> None:
+    """Wheel damage on heavy-haul railways: simulate a wagon, compute wear and fatigue, play it back."""
+
+
+@app.command()
+def run(
+    case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file.")], out_folder: NewFolder
+) -> None:
+    """Simulate a case: logs, recording, and a table of the wheelsets in the last part of the run."""
+    with _told(out_folder):
+        from hh_exudyn.case import read_case
+
+        _require_new(out_folder)
+        _show_run(_simulated(read_case(case), out_folder))
+
+
+@app.command()
+def demo(out_folder: NewFolder) -> None:
+    """A loaded iron-ore wagon through a curve of 450 m: simulate, record, compute damage."""
+    with _told(out_folder):
+        from hh_exudyn.case import Case
+
+        _require_new(out_folder)
+        text = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text(encoding="utf-8")
+        done = _simulated(Case.from_toml(text, source="demo.toml"), out_folder)
+        _show_run(done)
+        _show_damage(done, out_folder / "damage")
+
+
+@app.command()
+def damage(
+    folder: RunFolder,
+    out_folder: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="DIR", help="New or empty folder; without, DIR/damage of the run."),
+    ] = None,
+) -> None:
+    """Wear and rolling contact fatigue of a run's wheels, from its contact log: a table and figures."""
+    with _told(folder):
+        if out_folder is not None:
+            _require_new(out_folder)
+        _show_damage(_opened(folder), out_folder or folder / "damage")
+
+
+@app.command()
+def playback(
+    folder: RunFolder,
+    save: Annotated[
+        Path | None,
+        typer.Option(metavar="F.rrd", help="Write the recording to this new file and open no viewer."),
+    ] = None,
+) -> None:
+    """Play a run in the rerun viewer, or save its recording."""
+    with _told(folder):
+        done = _opened(folder)
+        if save is not None:
+            if save.exists():
+                raise Refused(f"--save {save}: exists already, allowed is a new file")
+            _record(done, save)
+            return
+        from hh_exudyn.playback.viewer import open_viewer
+
+        recording = folder / RECORDING
+        if not recording.is_file():
+            _record(done, recording)
+        out.print(f"{recording} opens in the rerun viewer (process {open_viewer(recording)})")
+
+
+def _simulated(case: "Case", folder: Path) -> "Run":
+    """Run the case with a progress bar; every way to end early becomes one line and an exit code."""
+    from hh_exudyn.multibody.equilibrium import NoEquilibrium
+    from hh_exudyn.multibody.simulate import SimulationStopped, simulate
+
+    try:
+        with _progress_bar(case.name) as progress:
+            return simulate(case, folder, progress=progress)
+    except (SimulationStopped, NoEquilibrium) as error:
+        _fail(STOPPED, f"{error}; {_kept(folder)}")
+    except (ValueError, OSError) as error:
+        if not folder.exists():  # nothing was begun: the case cannot be built, or the folder not be made
+            raise Refused(str(error)) from None
+        raise
+
+
+def _show_run(done: "Run") -> None:
+    """Record the run and print its table and where things are."""
+    from damage.summary import steady_window, wheelset_summary
+
+    window = steady_window(done)
+    _record(done, done.directory / RECORDING)
+    _print_table(_wheelset_table(wheelset_summary(done, window), window))
+    out.print(f"play it: hh-exudyn playback {done.directory}")
+
+
+def _record(done: "Run", path: Path) -> None:
+    from hh_exudyn.playback.run import record
+
+    with err.status("recording"):
+        record(done, path)
+    out.print(f"recording: {path}")
+
+
+def _show_damage(done: "Run", folder: Path) -> None:
+    """Print the damage table and write table and figures."""
+    import pyarrow.csv
+
+    from damage.figures import fatigue_figure, shakedown_figure, wear_figure
+    from damage.report import assess
+    from hh_exudyn.case import Case
+
+    with err.status("damage"):
+        report = assess(done)
+    wheel = Case.from_toml(done.case_text, source=f"{done.directory}/case.toml").wheel
+    figures = {
+        "wear.png": wear_figure(report, wheel),
+        "fatigue.png": fatigue_figure(report, wheel),
+        "shakedown.png": shakedown_figure(done),
+    }
+    table = report.to_table()
+    folder.mkdir(parents=True, exist_ok=True)
+    pyarrow.csv.write_csv(table, folder / "damage.csv")
+    for name, figure in figures.items():
+        figure.savefig(folder / name, dpi=150)
+    _print_table(_damage_table(table))
+    out.print(f"damage: {folder} ({', '.join(['damage.csv', *figures])})")
+
+
+def _opened(folder: Path) -> "Run":
+    """The run in a folder, with at least one contact log row to look at."""
+    from hh_exudyn.log.store import open_run
+
+    try:
+        done = open_run(folder)
+        if done.read("contact", ["time"]).num_rows == 0:
+            raise Refused(f"{folder}: the contact log has no rows")
+    except (FileNotFoundError, ValueError) as error:
+        raise Refused(str(error)) from None
+    return done
+
+
+def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) -> Table:
+    """The summary with units, a line per wheel; what belongs to the wheelset stands in its first line."""
+    table = _table(
+        f"Means from {window[0]:.2f} to {window[1]:.2f} s",
+        ("wheel", "Q [kN]", "Y [kN]", "Y/Q [-]", "angle\u00a0of attack [mrad]", "lateral position [mm]",
+         "p_max [MPa]", "wear number [N]", "FI>0 [%]"),
+    )  # fmt: skip
+    for row in rows:
+        of_wheelset = (f"{row.angle_of_attack * 1e3:.2f}", f"{row.lateral * 1e3:.2f}")
+        for i, side in enumerate("LR"):
+            table.add_row(
+                f"{row.wheelset}{side}",
+                f"{row.Q[i] * 1e-3:.1f}",
+                f"{row.Y[i] * 1e-3:.1f}",
+                f"{row.y_over_q[i]:.3f}",
+                *(of_wheelset if i == 0 else ("", "")),
+                f"{row.p_max[i] * 1e-6:.0f}",
+                f"{row.wear_number[i]:.0f}",
+                f"{row.fatigue_share[i] * 100:.0f}",
+            )
+    return table
+
+
+DAMAGE_COLUMNS = {  # column of the report: heading, factor, format
+    "p_max_MPa": ("p_max [MPa]", 1.0, ".0f"),
+    "wear_number_N": ("wear number [N]", 1.0, ".0f"),
+    "fatigue_share": ("FI>0 [%]", 100.0, ".1f"),
+    "fatigue_area_index": ("FI area [%]", 100.0, ".1f"),
+    "wear_depth_mm_per_1000_km": ("wear depth [µm/km]", 1.0, ".3g"),  # the same unit in short
+    "wear_y_mm": ("at y [mm]", 1.0, ".1f"),
+    "worn_area_mm2_per_km": ("worn area [mm²/km]", 1.0, ".3g"),
+    "seizure_share": ("seizure [%]", 100.0, ".0f"),
+    "flange_share": ("flange [%]", 100.0, ".0f"),
+}
+
+
+def _damage_table(columns: "pyarrow.Table") -> Table:
+    """The damage of every wheel over the whole run; ``damage.csv`` has more columns."""
+    table = _table(
+        "Damage over the whole run", ("wheel", *(heading for heading, _, _ in DAMAGE_COLUMNS.values()))
+    )
+    for row in columns.to_pylist():
+        cells = (f"{row[name] * factor:{form}}" for name, (_, factor, form) in DAMAGE_COLUMNS.items())
+        table.add_row(f"{row['wheelset']}{'L' if row['side'] > 0 else 'R'}", *cells)
+    return table
+
+
+def _table(title: str, headings: tuple[str, ...]) -> Table:
+    """An empty table that fits into 80 columns: a word of the heading a line."""
+    table = Table(title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False)
+    for heading in headings:
+        table.add_column(escape(heading.replace(" ", "\n")), justify="right", no_wrap=True)
+    return table
+
+
+def _print_table(table: Table) -> None:
+    """Whole columns also where the output is a file or a narrow pipe."""
+    wide = out if out.is_terminal else Console(width=TABLE_WIDTH)
+    wide.print(table)
+
+
+def _require_new(folder: Path) -> None:
+    """Refuse a folder that holds anything, before any work."""
+    try:
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            kind = "is not empty" if folder.is_dir() else "is a file"
+            raise Refused(f"--out {folder}: {kind}, allowed is a new or an empty folder")
+    except OSError as error:
+        raise Refused(f"--out {folder}: {error.strerror}") from None
+
+
+@contextmanager
+def _progress_bar(name: str) -> Iterator[Callable[[float, str], None]]:
+    """A progress bar on stderr, as the function that `simulate` calls; nothing where stderr is a file."""
+    columns = (TextColumn(name), BarColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
+        task = bar.add_task("equilibrium", total=1.0)
+        yield lambda fraction, text: bar.update(task, completed=fraction, description=text)
+
+
+@contextmanager
+def _told(folder: Path) -> Iterator[None]:
+    """Turn what goes wrong in a command into one line on stderr and an exit code."""
+    try:
+        yield
+    except typer.Exit:
+        raise
+    except (CaseError, Refused) as error:
+        _fail(BAD_INPUT, str(error))
+    except KeyboardInterrupt:
+        _fail(INTERRUPTED, f"interrupted; {_kept(folder)}")
+    except Exception as error:
+        reason = " ".join(str(error).split()) or "no message"
+        _fail(FAULT, f"{type(error).__name__}: {reason}; traceback in {_written_traceback(folder)}")
+
+
+def _kept(folder: Path) -> str:
+    """Where the log so far is."""
+    if not (folder / "case.toml").is_file():
+        return "nothing was written"
+    return f"the log so far is kept in {folder}"
+
+
+def _written_traceback(folder: Path) -> Path:
+    """Write the traceback at hand into the run's folder, or a temporary one where that cannot be written."""
+    text = traceback.format_exc()
+    try:
+        path = folder / "error.txt"
+        path.write_text(text, encoding="utf-8")
+    except OSError:
+        path = Path(tempfile.mkdtemp(prefix="hh-exudyn-")) / "error.txt"
+        path.write_text(text, encoding="utf-8")
+    return path
+
+
+def _fail(code: int, message: str) -> NoReturn:
+    err.print(f"hh-exudyn: {message}", markup=False)
+    raise typer.Exit(code)

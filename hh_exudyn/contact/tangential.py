@@ -1,0 +1,320 @@
+"""Creep forces and surface stresses of an elliptic patch in steady rolling: one call for every theory.
+
+Sign convention: creepages of the wheel relative to the rail, over the speed V; forces and tractions on the
+wheel; x in rolling direction, leading edge at x = +a.
+
+The grid, the same in every theory: strips of equal width 2 b / ny across the patch, each divided into nx
+cells of equal length from its own trailing to its own leading edge, so that the edge cuts no cell. Cell
+(j, i) has its centre at y_j = b (-1 + (2 j + 1)/ny), x_ji = a(y_j) (-1 + (2 i + 1)/nx), with a(y) =
+a sqrt(1 - (y/b)^2), and the area of `cell_areas`. Forces use the same cells, but the pressure's integral
+is exact in them; the sum of q times area meets the force within about 1 % at 20 x 20 cells.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from hh_exudyn.contact import fastrip, fastsim
+from hh_exudyn.contact.material import STEEL, Material
+from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.kernel import kernel
+
+FASTSIM = 1
+FASTRIP = 2
+THEORIES: dict[str, int] = {"fastsim": FASTSIM, "fastrip": FASTRIP}
+
+
+@dataclass(frozen=True)
+class CreepForce:
+    """Creep force on the wheel.
+
+    Attributes
+    ----------
+    x, y : float
+        Longitudinal and lateral force [N].
+    moment : float
+        Spin moment about the normal [N m].
+    """
+
+    x: float
+    y: float
+    moment: float
+
+
+@dataclass(frozen=True)
+class TractionField:
+    """Stresses and slip over the patch, arrays (ny, nx); the grid is that of the module's docstring.
+
+    Attributes
+    ----------
+    x, y : ndarray
+        Cell centres [m].
+    pressure : ndarray
+        The theory's own pressure [Pa]: elliptic (Hertz) for FaStrip, parabolic with 4/3 of Hertz's peak for
+        FASTSIM.
+    q_x, q_y : ndarray
+        Traction on the wheel [Pa].
+    slip_x, slip_y : ndarray
+        Slip velocity of the wheel relative to the rail over V [-], zero in stick.
+    """
+
+    x: FloatArray
+    y: FloatArray
+    pressure: FloatArray
+    q_x: FloatArray
+    q_y: FloatArray
+    slip_x: FloatArray
+    slip_y: FloatArray
+
+
+@kernel
+def force_kernel(
+    theory: int,
+    a: float,
+    b: float,
+    normal_force: float,
+    nu_x: float,
+    nu_y: float,
+    phi: float,
+    friction: float,
+    shear_modulus: float,
+    poisson_ratio: float,
+    cells_x: int,
+    cells_y: int,
+) -> tuple[float, float, float]:
+    """Creep force and moment on the wheel (kernel: trusts its input, allocates nothing).
+
+    Parameters
+    ----------
+    theory : int
+        A value of `THEORIES`; anything else gives NaN.
+    a, b : float
+        Semi-axes in rolling direction and lateral [m].
+    normal_force : float
+        [N].
+    nu_x, nu_y : float
+        Longitudinal and lateral creepage [-].
+    phi : float
+        Spin creepage [1/m].
+    friction : float
+        Friction coefficient [-].
+    shear_modulus : float
+        [Pa].
+    poisson_ratio : float
+        [-].
+    cells_x, cells_y : int
+        Cells along each strip, and strips.
+
+    Returns
+    -------
+    tuple of float
+        F_x [N], F_y [N], M_z [N m]; zero without normal force, creepage, friction or area.
+    """
+    if not (normal_force > 0.0 and friction > 0.0 and a > 0.0 and b > 0.0):
+        return 0.0, 0.0, 0.0
+    if nu_x == 0.0 and nu_y == 0.0 and phi == 0.0:
+        return 0.0, 0.0, 0.0
+    if theory == FASTRIP:
+        return fastrip.force(
+            a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio, cells_x, cells_y
+        )
+    if theory == FASTSIM:
+        return fastsim.force(
+            a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio, cells_x, cells_y
+        )
+    return math.nan, math.nan, math.nan
+
+
+@kernel
+def _rigid_slip(
+    a: float, b: float, nu_x: float, nu_y: float, phi: float, slip_x: FloatArray, slip_y: FloatArray
+) -> None:
+    """Fill the rigid slip nu_x - phi y, nu_y + phi x of a field's grid [-]."""
+    cells_y, cells_x = slip_x.shape
+    for j in range(cells_y):
+        lateral = -1.0 + (2 * j + 1) / cells_y
+        half_length = a * math.sqrt(1.0 - lateral * lateral)
+        for i in range(cells_x):
+            slip_x[j, i] = nu_x - phi * b * lateral
+            slip_y[j, i] = nu_y + phi * half_length * (-1.0 + (2 * i + 1) / cells_x)
+
+
+@kernel
+def field_kernel(
+    theory: int,
+    a: float,
+    b: float,
+    normal_force: float,
+    nu_x: float,
+    nu_y: float,
+    phi: float,
+    friction: float,
+    shear_modulus: float,
+    poisson_ratio: float,
+    pressure: FloatArray,
+    q_x: FloatArray,
+    q_y: FloatArray,
+    slip_x: FloatArray,
+    slip_y: FloatArray,
+) -> None:
+    """Fill pressure, traction on the wheel and slip over V on the module's grid (kernel, allocates nothing).
+
+    The arguments up to `poisson_ratio` are those of `force_kernel`; the arrays are (ny, nx) and are
+    overwritten. Zero everywhere without normal force or area, NaN for an unknown theory.
+    """
+    if not (normal_force > 0.0 and a > 0.0 and b > 0.0):
+        pressure[:], q_x[:], q_y[:], slip_x[:], slip_y[:] = 0.0, 0.0, 0.0, 0.0, 0.0
+        return
+    if not friction > 0.0:
+        # without friction: the pressure of the patch that does not creep, and the rigid slip
+        field_kernel(
+            theory, a, b, normal_force, 0.0, 0.0, 0.0, 1.0, shear_modulus, poisson_ratio,
+            pressure, q_x, q_y, slip_x, slip_y,
+        )  # fmt: skip
+        _rigid_slip(a, b, nu_x, nu_y, phi, slip_x, slip_y)
+        return
+    if theory == FASTRIP:
+        fastrip.field(
+            a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio,
+            pressure, q_x, q_y, slip_x, slip_y,
+        )  # fmt: skip
+    elif theory == FASTSIM:
+        fastsim.field(
+            a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio,
+            pressure, q_x, q_y, slip_x, slip_y,
+        )  # fmt: skip
+    else:
+        pressure[:], q_x[:], q_y[:] = math.nan, math.nan, math.nan
+        slip_x[:], slip_y[:] = math.nan, math.nan
+
+
+def cell_areas(a: float, b: float, ny: int, nx: int) -> FloatArray:
+    """Areas of the grid's cells [m^2], (ny, nx): (2 b/ny) (2 a(y_j)/nx), so sum(q * area) is the force."""
+    lateral = -1.0 + (2.0 * np.arange(ny) + 1.0) / ny
+    areas = 4.0 * a * b / (nx * ny) * np.sqrt(1.0 - lateral**2)
+    return np.repeat(areas[:, None], nx, axis=1)
+
+
+def _checked(
+    theory: str,
+    lengths: dict[str, float],
+    creepages: dict[str, float],
+    cells: tuple[int, int],
+) -> int:
+    """The theory's number; ValueError for anything out of range."""
+    if theory not in THEORIES:
+        raise ValueError(f"theory = {theory!r}; known theories: {', '.join(THEORIES)}")
+    units = {"a": "m", "b": "m", "normal_force": "N", "friction": "-"}
+    for name, value in lengths.items():
+        if not (math.isfinite(value) and value >= 0.0):
+            raise ValueError(f"{name} = {value} {units[name]}; it must be finite and >= 0 {units[name]}")
+    if lengths["normal_force"] > 0.0 and min(lengths["a"], lengths["b"]) == 0.0:
+        raise ValueError(
+            f"a = {lengths['a']} m, b = {lengths['b']} m; both must be > 0 m under a normal force of "
+            f"{lengths['normal_force']} N"
+        )
+    for name, value in creepages.items():
+        if not math.isfinite(value):
+            raise ValueError(f"{name} = {value} {'1/m' if name == 'phi' else '[-]'}; it must be finite")
+    if len(cells) != 2 or any(int(n) != n or n < 1 for n in cells):
+        raise ValueError(f"cells = {cells}; two whole numbers >= 1 are needed, along x and across y")
+    return THEORIES[theory]
+
+
+def creep_force(
+    theory: str,
+    a: float,
+    b: float,
+    normal_force: float,
+    nu_x: float,
+    nu_y: float,
+    phi: float,
+    friction: float,
+    material: Material = STEEL,
+    cells: tuple[int, int] = (20, 20),
+) -> CreepForce:
+    """Creep force and spin moment on the wheel.
+
+    Parameters
+    ----------
+    theory : str
+        One of `THEORIES`.
+    a, b : float
+        Semi-axes in rolling direction and lateral [m], > 0 (0 only without normal force).
+    normal_force : float
+        [N], >= 0.
+    nu_x, nu_y : float
+        Longitudinal and lateral creepage of the wheel relative to the rail [-].
+    phi : float
+        Spin creepage [1/m].
+    friction : float
+        Friction coefficient [-], >= 0.
+    material : Material
+        Of wheel and rail.
+    cells : tuple of int
+        Cells along x and strips across y.
+
+    Returns
+    -------
+    CreepForce
+
+    Raises
+    ------
+    ValueError
+        For an unknown theory or an argument out of range.
+    """
+    a, b, normal_force, friction = float(a), float(b), float(normal_force), float(friction)
+    nu_x, nu_y, phi = float(nu_x), float(nu_y), float(phi)
+    number = _checked(
+        theory,
+        {"a": a, "b": b, "normal_force": normal_force, "friction": friction},
+        {"nu_x": nu_x, "nu_y": nu_y, "phi": phi},
+        cells,
+    )
+    x, y, moment = force_kernel(
+        number, a, b, normal_force, nu_x, nu_y, phi, friction,
+        material.shear_modulus, material.poisson_ratio, int(cells[0]), int(cells[1]),
+    )  # fmt: skip
+    return CreepForce(float(x), float(y), float(moment))
+
+
+def traction_field(
+    theory: str,
+    a: float,
+    b: float,
+    normal_force: float,
+    nu_x: float,
+    nu_y: float,
+    phi: float,
+    friction: float,
+    material: Material = STEEL,
+    cells: tuple[int, int] = (50, 50),
+) -> TractionField:
+    """Pressure, traction on the wheel and slip over the patch.
+
+    Parameters and errors as `creep_force`; the grid has cells[0] cells along x and cells[1] strips.
+
+    Returns
+    -------
+    TractionField
+    """
+    a, b, normal_force, friction = float(a), float(b), float(normal_force), float(friction)
+    nu_x, nu_y, phi = float(nu_x), float(nu_y), float(phi)
+    number = _checked(
+        theory,
+        {"a": a, "b": b, "normal_force": normal_force, "friction": friction},
+        {"nu_x": nu_x, "nu_y": nu_y, "phi": phi},
+        cells,
+    )
+    nx, ny = int(cells[0]), int(cells[1])
+    lateral = -1.0 + (2.0 * np.arange(ny) + 1.0) / ny
+    along = -1.0 + (2.0 * np.arange(nx) + 1.0) / nx
+    x = a * np.sqrt(1.0 - lateral**2)[:, None] * along[None, :]
+    y = np.repeat(b * lateral[:, None], nx, axis=1)
+    pressure, q_x, q_y, slip_x, slip_y = (np.zeros((ny, nx)) for _ in range(5))
+    field_kernel(
+        number, a, b, normal_force, nu_x, nu_y, phi, friction,
+        material.shear_modulus, material.poisson_ratio, pressure, q_x, q_y, slip_x, slip_y,
+    )  # fmt: skip
+    return TractionField(x, y, pressure, q_x, q_y, slip_x, slip_y)

@@ -1,0 +1,106 @@
+"""Reasons to stop a run, looked for in every accepted state: derailment, divergence, a step too large."""
+
+import math
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+
+from hh_exudyn.contact.types import FloatArray, Patch, SplineTable
+from hh_exudyn.kernel import kernel
+from hh_exudyn.multibody.model import SystemModel, Workspace
+
+LIFT_OFF_TIME = 0.1  # s without contact of a wheel that counts as a derailment
+FLANGE_TIP_MARGIN = 3e-3  # m above the flange tip: a contact so deep means that the flange climbs the rail
+LARGEST_LATERAL = 0.08  # m of a wheelset from the track centre: wheel and rail have parted
+SMALLEST_ALTERNATION = 5e-6  # lateral creepage that changes less than this to and fro is round-off
+ALTERNATIONS = 40  # steps in a row in which the creepage goes to and fro: the integration is unstable
+
+_NORMAL_FORCE = int(Patch.NORMAL_FORCE)
+_Y_WHEEL = int(Patch.Y_WHEEL)
+_NU_Y = int(Patch.NU_Y)
+
+
+class Trouble(IntEnum):
+    """What `look` found."""
+
+    NONE = 0
+    NOT_FINITE = 1
+    LIFT_OFF = 2
+    CLIMB = 3
+    OFF_TRACK = 4
+    ALTERNATING = 5
+
+
+REASONS = {
+    Trouble.NOT_FINITE: ("divergence", "the state is no longer finite"),
+    Trouble.LIFT_OFF: ("derailment", f"no contact for {LIFT_OFF_TIME} s"),
+    Trouble.CLIMB: ("derailment", "the flange climbs over the rail"),
+    Trouble.OFF_TRACK: ("derailment", "the wheelset has left the track"),
+    Trouble.ALTERNATING: (
+        "divergence",
+        "the creep forces alternate from step to step; a smaller step_ms is needed",
+    ),
+}
+
+
+class WatchState(NamedTuple):
+    """What the watch remembers of every wheel, arrays (wheelsets, 2)."""
+
+    airborne: FloatArray  # time without contact [s]
+    creepage: FloatArray  # lateral, of the last step
+    change: FloatArray  # its last change
+    alternations: FloatArray  # changes of opposite sign in a row
+    flange_limit: FloatArray  # (2,) y on the wheel profile beyond which a contact is on the flange tip [m]
+
+
+def watch_state(model: SystemModel) -> WatchState:
+    """A watch that has seen nothing yet."""
+    shape = (len(model.wheelsets), 2)
+    wheels = (model.wheel_rail.wheel_left, model.wheel_rail.wheel_right)
+    return WatchState(
+        airborne=np.zeros(shape),
+        creepage=np.zeros(shape),
+        change=np.zeros(shape),
+        alternations=np.zeros(shape),
+        flange_limit=np.array([_flange_limit(wheel) for wheel in wheels]),
+    )
+
+
+def _flange_limit(table: SplineTable) -> float:
+    deep = np.flatnonzero(table.z < table.z.min() + FLANGE_TIP_MARGIN)
+    return float(table.start + table.step * deep[0])
+
+
+@kernel
+def look(work: Workspace, state: WatchState, step: float) -> tuple[int, int, int]:
+    """Look at an accepted state, `step` [s] after the last one: (`Trouble`, wheelset, side 0 or 1)."""
+    for k in range(work.generalized_force.size):
+        if not math.isfinite(work.generalized_force[k]):
+            return 1, -1, -1
+    for w in range(state.airborne.shape[0]):
+        lateral = work.frame_position[w, 1]
+        if abs(lateral) > LARGEST_LATERAL:
+            return 4, w, 0 if lateral > 0.0 else 1
+        for side in range(2):
+            if work.patches[w, side, 0, _NORMAL_FORCE] > 0.0:
+                state.airborne[w, side] = 0.0
+            else:
+                state.airborne[w, side] += step
+                if state.airborne[w, side] > LIFT_OFF_TIME:
+                    return 2, w, side
+            for patch in range(work.patches.shape[2]):
+                if work.patches[w, side, patch, _NORMAL_FORCE] > 0.0 and (
+                    work.patches[w, side, patch, _Y_WHEEL] > state.flange_limit[side]
+                ):
+                    return 3, w, side
+            change = work.patches[w, side, 0, _NU_Y] - state.creepage[w, side]
+            if change * state.change[w, side] < 0.0 and abs(change) > SMALLEST_ALTERNATION:
+                state.alternations[w, side] += 1.0
+                if state.alternations[w, side] > ALTERNATIONS:
+                    return 5, w, side
+            else:
+                state.alternations[w, side] = 0.0
+            state.creepage[w, side] += change
+            state.change[w, side] = change
+    return 0, -1, -1

@@ -1,0 +1,68 @@
+"""The lengths that the wagon is drawn from."""
+
+from dataclasses import dataclass, fields
+
+from vehicles.description import Vehicle
+
+
+@dataclass(frozen=True)
+class WagonDimensions:
+    """Lengths of an ore wagon [m]; heights are over the rail tops, springs unloaded.
+
+    The defaults are LKAB's Fanoo wagon: published ones after the thesis' Table 1-1 (Hossein-Nia 2018), the
+    others as `vehicles/data/iore_wagon.toml` assumes them.
+
+    Raises
+    ------
+    ValueError
+        A length is not positive (the ore depth may be 0), or a basket longer than the wagon.
+    """
+
+    length: float = 10.29  # over the couplers
+    height: float = 3.64
+    basket_width: float = 3.49
+    basket_length: float = 8.9
+    centre_plate_distance: float = 6.77
+    centre_plate_height: float = 0.80
+    wheelbase: float = 1.778
+    wheel_radius: float = 0.4575
+    axle_box_half_spacing: float = 1.0
+    coupler_height: float = 1.06
+    ore_depth: float = 1.8  # 0 for an empty wagon
+    running_circle_distance: float = 0.75  # half the distance of the two running circles
+    car_body_height: float = 2.04  # centres of mass
+    bolster_height: float = 0.67
+    side_frame_height: float = 0.48
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if not value > 0.0 and not (field.name == "ore_depth" and value == 0.0):
+                raise ValueError(f"{field.name} = {value} m must be above 0")
+        if not self.basket_length < self.length:
+            raise ValueError(f"basket_length {self.basket_length} m must be below length {self.length} m")
+
+
+def wagon_dimensions(vehicle: Vehicle) -> WagonDimensions:
+    """The lengths of a described wagon.
+
+    Raises
+    ------
+    ValueError
+        The description lacks a length, or one of the bodies car_body, bolster_1, side_frame_1L.
+    """
+    bodies = {body.name: body for body in vehicle.bodies}
+    missing = sorted({"car_body", "bolster_1", "side_frame_1L"} - set(bodies))
+    wanted = {field.name for field in fields(WagonDimensions)}
+    heights = {"car_body_height", "bolster_height", "side_frame_height", "running_circle_distance"}
+    missing += sorted(wanted - heights - set(vehicle.dimensions))
+    if missing:
+        raise ValueError(
+            f"vehicle {vehicle.name} cannot be drawn as an ore wagon: it lacks {', '.join(missing)}"
+        )
+    return WagonDimensions(
+        **{name: vehicle.dimensions[name] for name in wanted & set(vehicle.dimensions)},
+        car_body_height=bodies["car_body"].position[2],
+        bolster_height=bodies["bolster_1"].position[2],
+        side_frame_height=bodies["side_frame_1L"].position[2],
+    )

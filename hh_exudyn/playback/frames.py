@@ -1,0 +1,83 @@
+"""Poses relative to frames that single precision can hold.
+
+Rerun keeps positions in single precision, which is 1 mm wide at 10 km. So every position is sent relative
+to a near frame whose own pose is ROUNDED to single precision first: what is lost in the frame is kept in
+the relative pose, and both put together again give the position of the log to better than 1 um.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from track.alignment import Alignment, rotation, track_frame
+
+FloatArray = NDArray[np.float64]
+
+
+class TrackFrames(NamedTuple):
+    """Track frames T at n arc lengths."""
+
+    origin: FloatArray  # (n, 3) global [m]
+    rotation: Rotation  # n rotations, T to global
+    gauge: FloatArray  # (n,) [m]
+
+
+class Poses(NamedTuple):
+    """n poses of bodies or frames."""
+
+    position: FloatArray  # (n, 3) [m]
+    rotation: Rotation  # n rotations, body to parent frame
+
+
+def track_frames(alignment: Alignment, s: FloatArray) -> TrackFrames:
+    """The track frames at arc lengths s (n,) [m].
+
+    Raises
+    ------
+    ValueError
+        An arc length is NaN or off the track, lead-in and run-out included.
+    """
+    arc, inverse = np.unique(s, return_inverse=True)
+    origin, matrix, gauge = np.empty((len(arc), 3)), np.empty((len(arc), 3, 3)), np.empty(len(arc))
+    table = alignment.table
+    for i, value in enumerate(arc):
+        x, y, z, heading, roll, _, gauge[i] = track_frame(table, value)
+        origin[i] = (x, y, z)
+        rotation(heading, roll, matrix[i])
+    off = np.isnan(gauge)
+    if off.any():
+        raise ValueError(
+            f"s = {arc[off][0]} m is off the track, which lies from {table.start:g} to {table.end:g} m"
+        )
+    return TrackFrames(origin[inverse], Rotation.from_matrix(matrix[inverse]), gauge[inverse])
+
+
+def single(position: FloatArray) -> FloatArray:
+    """Positions rounded to what single precision holds exactly."""
+    return position.astype(np.float32).astype(np.float64)
+
+
+def moving_frame(alignment: Alignment, s: FloatArray) -> Poses:
+    """The frame that follows a vehicle at arc lengths s (n,) [m]: on the centre line, x ahead, z upright.
+
+    It turns with the track's heading alone, so that cant is seen as what it is. Its poses are those that
+    single precision holds. Errors as `track_frames`.
+    """
+    frames = track_frames(alignment, s)
+    turn = upright(frames.rotation)
+    return Poses(single(frames.origin), Rotation.from_quat(single(turn.as_quat())))
+
+
+def upright(turn: Rotation) -> Rotation:
+    """The part about the vertical of rotations: their x axis seen in plan."""
+    ahead = turn.apply((1.0, 0.0, 0.0))
+    heading = np.arctan2(ahead[:, 1], ahead[:, 0])
+    return Rotation.from_rotvec(np.outer(heading, (0.0, 0.0, 1.0)))
+
+
+def relative(poses: Poses, frame: Poses) -> Poses:
+    """Global poses as seen from frames, row by row."""
+    turn = frame.rotation.inv()
+    return Poses(turn.apply(poses.position - frame.position), turn * poses.rotation)

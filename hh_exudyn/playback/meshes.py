@@ -1,0 +1,227 @@
+"""Meshes from a few moves: loft, turn, plate, box, coil; painted by face, shaded with sharp creases.
+
+Everything is a closed `trimesh.Trimesh` with one colour per face, in metres.
+"""
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+import trimesh
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+Colour = tuple[int, int, int]
+
+CREASE_ANGLE = np.radians(38.0)  # faces that meet at more than this keep a sharp edge
+
+
+class Shaded(NamedTuple):
+    """A mesh as a renderer takes it: single precision, with normals and colours at the vertices."""
+
+    positions: NDArray[np.float32]  # (n, 3) [m]
+    triangles: NDArray[np.uint32]  # (m, 3)
+    normals: NDArray[np.float32]  # (n, 3)
+    colours: NDArray[np.uint8]  # (n, 4) RGBA
+
+
+def painted(mesh: trimesh.Trimesh, colour: Colour) -> trimesh.Trimesh:
+    """The same mesh with all faces in one colour (0..255 each)."""
+    mesh.visual.face_colors = np.tile(np.array([*colour, 255], dtype=np.uint8), (len(mesh.faces), 1))
+    return mesh
+
+
+def joined(meshes: Iterable[trimesh.Trimesh]) -> trimesh.Trimesh:
+    """One mesh of many; faces keep their colours, parts stay separate closed surfaces."""
+    parts = list(meshes)
+    first = np.cumsum([0, *(len(part.vertices) for part in parts[:-1])])
+    return trimesh.Trimesh(
+        vertices=np.concatenate([part.vertices for part in parts]),
+        faces=np.concatenate([part.faces + start for part, start in zip(parts, first, strict=True)]),
+        face_colors=np.concatenate([part.visual.face_colors for part in parts]),
+        process=False,
+    )
+
+
+def loft(rings: FloatArray, colour: Colour, *, endless: bool = False) -> trimesh.Trimesh:
+    """The solid through consecutive closed rings of points.
+
+    Parameters
+    ----------
+    rings
+        (n, m, 3) n rings of m corners each [m]; the last corner joins the first.
+    colour
+        Of all faces.
+    endless
+        The last ring joins the first (a body of revolution); else both ends are closed by a fan.
+    """
+    count, corners = rings.shape[:2]
+    ring, corner = np.meshgrid(np.arange(count if endless else count - 1), np.arange(corners), indexing="ij")
+    here = ring * corners
+    there = (ring + 1) % count * corners
+    following = (corner + 1) % corners
+    quads = np.stack([here + corner, there + corner, there + following, here + following], axis=-1)
+    quads = quads.reshape(-1, 4)
+    faces = [quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]
+    vertices = [rings.reshape(-1, 3)]
+    if not endless:
+        centre = count * corners
+        vertices += [rings[0].mean(axis=0)[None], rings[-1].mean(axis=0)[None]]
+        edge = np.arange(corners)
+        over = (edge + 1) % corners
+        last = (count - 1) * corners
+        faces.append(np.stack([np.full(corners, centre), edge, over], axis=-1))
+        faces.append(np.stack([np.full(corners, centre + 1), last + over, last + edge], axis=-1))
+    mesh = trimesh.Trimesh(vertices=np.concatenate(vertices), faces=np.concatenate(faces), process=False)
+    if mesh.volume < 0.0:
+        mesh.faces = mesh.faces[:, ::-1]
+    return painted(mesh, colour)
+
+
+def box(low: Sequence[float], high: Sequence[float], colour: Colour) -> trimesh.Trimesh:
+    """The box between two opposite corners [m]."""
+    (x0, y0, z0), (x1, y1, z1) = low, high
+    square = np.array([[x0, y0], [x1, y0], [x1, y1], [x0, y1]])
+    return loft(np.stack([np.column_stack([square, np.full(4, z)]) for z in (z0, z1)]), colour)
+
+
+def plate(upper: FloatArray, lower: FloatArray, y: tuple[float, float], colour: Colour) -> trimesh.Trimesh:
+    """A plate or bar in the x-z plane between an upper and a lower edge, from y[0] to y[1].
+
+    Parameters
+    ----------
+    upper, lower
+        (n, 2) points (x, z) along the two edges, point i of one opposite point i of the other [m].
+    y
+        The two faces [m].
+    colour
+        Of all faces.
+    """
+    rings = np.empty((len(upper), 4, 3))
+    for corner, (edge, side) in enumerate(((upper, y[0]), (upper, y[1]), (lower, y[1]), (lower, y[0]))):
+        rings[:, corner, 0] = edge[:, 0]
+        rings[:, corner, 1] = side
+        rings[:, corner, 2] = edge[:, 1]
+    return loft(rings, colour)
+
+
+def bar(start: Sequence[float], end: Sequence[float], width: float, colour: Colour) -> trimesh.Trimesh:
+    """A square bar of the given width [m] between two points [m]."""
+    first, last = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
+    along = (last - first) / np.linalg.norm(last - first)
+    helper = np.array([0.0, 0.0, 1.0]) if abs(along[2]) < 0.9 else np.array([1.0, 0.0, 0.0])
+    across = np.cross(along, helper)
+    across /= np.linalg.norm(across)
+    upright = np.cross(across, along)
+    square = 0.5 * width * np.array([across + upright, across - upright, -across - upright, upright - across])
+    return loft(np.stack([first + square, last + square]), colour)
+
+
+def turned(stations: FloatArray, sections: int, colour: Colour) -> trimesh.Trimesh:
+    """A solid turned about the y axis.
+
+    Parameters
+    ----------
+    stations
+        (n, 2) pairs (y, radius) along the axis [m].
+    sections
+        Facets around the axis.
+    colour
+        Of all faces.
+    """
+    return loft(_around_y(stations, sections), colour)
+
+
+def turned_ring(outline: FloatArray, sections: int, colour: Colour) -> trimesh.Trimesh:
+    """The closed outline (n, 2) of pairs (y, radius) [m] turned about the y axis; it must not meet it."""
+    return loft(_around_y(outline, sections).transpose(1, 0, 2), colour, endless=True)
+
+
+def _around_y(stations: FloatArray, sections: int) -> FloatArray:
+    """(n, sections, 3) circles about the y axis at the stations (y, radius)."""
+    angle = 2.0 * np.pi * np.arange(sections) / sections
+    y, radius = stations[:, 0], stations[:, 1]
+    return np.stack(
+        [
+            radius[:, None] * np.cos(angle),
+            np.broadcast_to(y[:, None], (len(y), sections)),
+            radius[:, None] * np.sin(angle),
+        ],
+        axis=-1,
+    )
+
+
+def resampled(line: FloatArray, count: int) -> FloatArray:
+    """A line of points (n, 2) as `count` points at equal distances along it."""
+    step = np.hypot(*np.diff(line, axis=0).T)
+    along = np.concatenate([[0.0], np.cumsum(step)])
+    where = np.linspace(0.0, along[-1], count)
+    return np.column_stack([np.interp(where, along, line[:, 0]), np.interp(where, along, line[:, 1])])
+
+
+def upright_cylinder(
+    centre: Sequence[float], radius: float, height: float, sections: int, colour: Colour
+) -> trimesh.Trimesh:
+    """A cylinder standing on `centre` (x, y, z of its bottom) [m]."""
+    angle = 2.0 * np.pi * np.arange(sections) / sections
+    circle = np.column_stack([centre[0] + radius * np.cos(angle), centre[1] + radius * np.sin(angle)])
+    heights = (centre[2], centre[2] + height)
+    return loft(np.stack([np.column_stack([circle, np.full(sections, z)]) for z in heights]), colour)
+
+
+def coil(
+    centre: Sequence[float], radius: float, wire: float, height: float, colour: Colour
+) -> trimesh.Trimesh:
+    """A coil spring standing on `centre`: mean coil radius, wire radius and height [m]; 4.5 turns."""
+    turns, facets = 4.5, 5
+    angle = np.linspace(0.0, 2.0 * np.pi * turns, int(turns * 12) + 1)
+    outward = np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=-1)
+    rise = np.linspace(wire, height - wire, len(angle))
+    path = np.asarray(centre) + radius * outward + rise[:, None] * np.array([0.0, 0.0, 1.0])
+    around = 2.0 * np.pi * np.arange(facets) / facets
+    rings = (
+        path[:, None, :]
+        + wire * np.cos(around)[None, :, None] * outward[:, None, :]
+        + wire * np.sin(around)[None, :, None] * np.array([0.0, 0.0, 1.0])
+    )
+    return loft(rings, colour)
+
+
+def shaded(mesh: trimesh.Trimesh) -> Shaded:
+    """The mesh for a renderer: vertices split at creases and at colour borders, normals smooth between."""
+    faces = np.asarray(mesh.faces)
+    weighted = np.asarray(mesh.triangles_cross, dtype=np.float64)  # twice the area times the normal
+    size: FloatArray = np.linalg.norm(weighted, axis=1)
+    unit = weighted / np.where(size > 0.0, size, 1.0)[:, None]
+
+    # every pair of corners (left, right) that meet at one vertex
+    vertex = faces.ravel()
+    order = np.argsort(vertex, kind="stable")
+    _, start, count = np.unique(vertex[order], return_index=True, return_counts=True)
+    partners = np.repeat(count, count)
+    left = np.repeat(np.arange(len(vertex)), partners)
+    within = np.arange(len(left)) - np.repeat(np.cumsum(partners) - partners, partners)
+    right = np.repeat(np.repeat(start, count), partners) + within
+    left, right = order[left] // 3, order[right] // 3
+    corner = np.repeat(order, partners)
+
+    smooth = np.einsum("ij,ij->i", unit[left], unit[right]) >= np.cos(CREASE_ANGLE)
+    normals: FloatArray = np.stack(
+        [
+            np.bincount(corner[smooth], weights=weighted[right[smooth], axis], minlength=len(vertex))
+            for axis in range(3)
+        ],
+        axis=-1,
+    )
+    length: FloatArray = np.linalg.norm(normals, axis=1)
+    normals = normals / np.where(length > 0.0, length, 1.0)[:, None]
+
+    colours = np.repeat(np.asarray(mesh.visual.face_colors, dtype=np.uint8), 3, axis=0)
+    key = np.column_stack([vertex, np.round(normals * 1e4).astype(np.int64), colours])
+    _, index, inverse = np.unique(key, axis=0, return_index=True, return_inverse=True)
+    return Shaded(
+        np.asarray(mesh.vertices[vertex[index]], dtype=np.float32),
+        inverse.reshape(-1, 3).astype(np.uint32),
+        normals[index].astype(np.float32),
+        colours[index],
+    )

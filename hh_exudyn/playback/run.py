@@ -1,0 +1,219 @@
+"""A run as a rerun recording: the wagon on its track, forces at the wheels, time series, shakedown diagram.
+
+Entities: ``world/track/<piece>/{rails,bed,sleepers}`` (static), ``world/vehicle`` (the moving frame, on
+the centre line below the car body), ``world/vehicle/<body>``, ``world/vehicle/contact/<wheel>/force`` and
+``.../patch``, ``plots/<quantity>/<wheel>``, ``shakedown/**``. Wheels are named by wheelset and side, "1L"
+leads. Timelines: ``sim_time`` and ``track_mm``, the arc length of the car body.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pyarrow
+import rerun as rr
+import trimesh
+
+from damage.material import ER7
+from hh_exudyn.case import Case
+from hh_exudyn.contact.profile import Profile
+from hh_exudyn.conventions import LEFT
+from hh_exudyn.log.store import Run
+from hh_exudyn.playback.dimensions import wagon_dimensions
+from hh_exudyn.playback.frames import FloatArray, Poses, moving_frame, relative
+from hh_exudyn.playback.layout import blueprint
+from hh_exudyn.playback.send import (
+    body_poses,
+    clock,
+    send_contact,
+    send_diagram,
+    send_diagram_points,
+    send_mesh,
+    send_poses,
+    send_series,
+    send_track_piece,
+)
+from hh_exudyn.playback.shapes import wagon_shapes
+from hh_exudyn.playback.track_shapes import pieces
+from hh_exudyn.playback.wheels import wheel_rows
+from track.alignment import Alignment
+from track.rails import Rails
+from vehicles.catalogue import vehicle as described_vehicle
+
+APPLICATION = "hh_exudyn"
+FRAME_BODY = "car_body"  # the moving frame follows this body
+SIGHT = 150.0  # track drawn before and behind the wagon's way [m]
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What stands around a log: shapes, track and strength.
+
+    Attributes
+    ----------
+    shapes
+        Meshes about the centres of mass, by entity below ``world/vehicle``.
+    alignment
+        Of the track that was run on.
+    rail_left, rail_right
+        Rail profiles.
+    shear_yield
+        Yield strength in pure shear k of the wheel, for fatigue index and shakedown diagram [Pa].
+    """
+
+    shapes: Mapping[str, trimesh.Trimesh]
+    alignment: Alignment
+    rail_left: Profile
+    rail_right: Profile
+    shear_yield: float = ER7.shear_yield
+
+
+def scene(case: Case) -> Scene:
+    """The scene of a case with an ore wagon.
+
+    Raises
+    ------
+    ValueError
+        The vehicle is not described with the lengths of an ore wagon.
+    """
+    tread = np.column_stack([case.wheel.y, case.wheel.z])
+    shapes = wagon_shapes(wagon_dimensions(described_vehicle(case.vehicle)), tread)
+    rails = Rails(case.track.rail, case.track.rail, case.track.rail_inclination)
+    return Scene(shapes, case.alignment(), rails.left_profile(), rails.right_profile())
+
+
+def record(run: Run, path: Path | str, *, every: int = 1, vehicle: int = 1) -> Path:
+    """Write a run as a recording with its blueprint (`.rrd`), and return its path.
+
+    Parameters
+    ----------
+    run
+        The run on disk; the scene is built from its case.
+    path
+        File to write.
+    every
+        Only every n-th output time is taken, from 1.
+    vehicle
+        Number of the vehicle in the run.
+
+    Raises
+    ------
+    ValueError
+        `every` below 1; a log without rows, of another vehicle, or off the case's track; a vehicle that
+        cannot be drawn.
+    FileNotFoundError
+        The run has no case or no logs.
+    """
+    return record_tables(
+        run.motion(),
+        run.contact(),
+        scene(Case.from_toml(run.case_text, folder=run.directory)),
+        path,
+        name=run.directory.name,
+        every=every,
+        vehicle=vehicle,
+    )
+
+
+def record_tables(
+    motion: pyarrow.Table,
+    contact: pyarrow.Table,
+    scene: Scene,
+    path: Path | str,
+    *,
+    name: str = "run",
+    every: int = 1,
+    vehicle: int = 1,
+) -> Path:
+    """As `record`, from the two logs as tables and a scene."""
+    target = Path(path)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    stream = rr.RecordingStream(APPLICATION, send_properties=False)
+    bodies = motion["body"].unique().to_pylist()
+    wheelsets = [body for body in bodies if body.startswith("wheelset")]
+    partial = target.with_name(target.name + ".part")  # so that no half recording bears the name
+    try:
+        stream.save(partial, default_blueprint=blueprint(bodies, wheelsets))
+        stream.send_recording_name(name)
+        send(stream, motion, contact, scene, every=every, vehicle=vehicle)
+        stream.disconnect()  # flushes
+        partial.replace(target)
+    finally:
+        stream.disconnect()
+        partial.unlink(missing_ok=True)
+    return target
+
+
+def send(
+    stream: rr.RecordingStream,
+    motion: pyarrow.Table,
+    contact: pyarrow.Table,
+    scene: Scene,
+    *,
+    every: int = 1,
+    vehicle: int = 1,
+) -> None:
+    """Send a run into any recording stream: a file, or a viewer that listens. Errors as `record`."""
+    if every < 1:
+        raise ValueError(f"every = {every} must be at least 1")
+    bodies = _bodies(motion, every)
+    if FRAME_BODY not in bodies:
+        raise ValueError(f"the motion log has no body {FRAME_BODY}; it has {', '.join(bodies)}")
+    times, s = bodies[FRAME_BODY]["time"], bodies[FRAME_BODY]["s"]
+    when = clock(times, s)
+    frame = moving_frame(scene.alignment, s)
+
+    stream.log("world", rr.ViewCoordinates.FLU, static=True)
+    for number, piece in enumerate(
+        pieces(scene.alignment, scene.rail_left, scene.rail_right, s.min() - SIGHT, s.max() + SIGHT)
+    ):
+        send_track_piece(stream, f"world/track/{number:04d}", piece)
+    for entity, mesh in scene.shapes.items():
+        send_mesh(stream, f"world/vehicle/{entity}", mesh)
+    send_poses(stream, "world/vehicle", when, frame)
+    for body, columns in bodies.items():
+        if not np.array_equal(columns["time"], times):
+            raise ValueError(f"the motion log has body {body} at other times than {FRAME_BODY}")
+        send_poses(stream, f"world/vehicle/{body}", when, relative(body_poses(columns), frame))
+    _send_wheels(stream, _thinned(contact, times, every), scene, frame, times, s, vehicle)
+
+
+def _send_wheels(
+    stream: rr.RecordingStream,
+    contact: pyarrow.Table,
+    scene: Scene,
+    frame: Poses,
+    times: FloatArray,
+    s: FloatArray,
+    vehicle: int,
+) -> None:
+    """All that comes from the contact log."""
+    when = clock(times, s)
+    send_diagram(stream)
+    for wheel in wheel_rows(contact, times, vehicle):
+        rail = scene.rail_left if wheel.side == LEFT else scene.rail_right
+        send_contact(stream, when, wheel, scene.alignment, rail, frame)
+        send_series(stream, when, wheel, scene.shear_yield)
+        send_diagram_points(stream, when, wheel, scene.shear_yield)
+
+
+def _bodies(motion: pyarrow.Table, every: int) -> dict[str, dict[str, FloatArray]]:
+    """Rows of the motion log by body, in order of time."""
+    if motion.num_rows == 0:
+        raise ValueError("the motion log has no rows")
+    names = np.asarray(motion["body"].to_pylist(), dtype=str)
+    numbers = {name: motion[name].to_numpy() for name in motion.column_names if name != "body"}
+    result = {}
+    for body in dict.fromkeys(names.tolist()):
+        index = np.flatnonzero(names == body)
+        index = index[np.argsort(numbers["time"][index], kind="stable")][::every]
+        result[body] = {name: column[index] for name, column in numbers.items()}
+    return result
+
+
+def _thinned(contact: pyarrow.Table, times: FloatArray, every: int) -> pyarrow.Table:
+    """The contact log at the times that are kept."""
+    if every == 1:
+        return contact
+    return contact.filter(pyarrow.array(np.isin(contact["time"].to_numpy(), times)))

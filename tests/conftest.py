@@ -1,0 +1,33 @@
+"""Settings of all tests: one thread everywhere, no windows, the folders of outside data."""
+
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+for _name in ("NUMBA_NUM_THREADS", "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
+    os.environ.setdefault(_name, "1")  # before numpy and numba are imported; also for child processes
+os.environ.setdefault("MPLBACKEND", "Agg")
+
+REPOSITORY = Path(__file__).resolve().parents[1]
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """With HH_EXUDYN_TEST_INSTALLED=1 the tests are for the installed packages, never for the checkout.
+
+    ``python -m pytest`` puts the checkout first in `sys.path`, where its folders would shadow them.
+    """
+    if os.environ.get("HH_EXUDYN_TEST_INSTALLED") == "1":
+        paths = {Path(entry or ".").resolve() for entry in sys.path}
+        if REPOSITORY in paths:
+            raise pytest.UsageError(f"{REPOSITORY} is in sys.path: run `pytest`, not `python -m pytest`")
+
+
+@pytest.fixture(scope="session")
+def shared_profiles() -> Path:
+    """The folder of profiles made by others; the test is skipped where it is absent."""
+    folder = REPOSITORY.parent / "shared" / "profiles"
+    if not folder.is_dir():
+        pytest.skip(f"no measured profiles at {folder}")
+    return folder

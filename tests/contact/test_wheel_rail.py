@@ -1,0 +1,368 @@
+"""The whole contact kernel: exact properties, Hertz, small-angle creepages, the Manchester benchmark."""
+
+import csv
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from hh_exudyn.contact.hertz import hertz_patch
+from hh_exudyn.contact.material import STEEL
+from hh_exudyn.contact.profile import Profile, rail_profile, wheel_profile
+from hh_exudyn.contact.profile_spline import spline_evaluate
+from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, Patch, WheelRailModel
+from hh_exudyn.contact.wheel_rail import CURVATURE_FLOOR, wheel_rail_forces, wheel_rail_model
+
+REFERENCE = Path(__file__).parents[1] / "reference" / "wheel_rail_mbench_a22.csv"
+R0 = 0.46
+GAUGE = 1.435
+
+
+def model(rail: Profile | None = None, **options: Any) -> WheelRailModel:
+    wheel, rail = wheel_profile("S1002"), rail or rail_profile("60E1", 1 / 40)
+    return wheel_rail_model(wheel, wheel, rail, rail, nominal_radius=R0, **options)
+
+
+MODEL = model()
+
+
+class State:
+    """Arrays of n wheelsets as the kernel takes them, at rest, and what it returned."""
+
+    def __init__(self, n: int = 1, height: float = R0 - 60e-6) -> None:
+        self.position = np.tile([0.0, 0.0, height], (n, 1))
+        self.axle = np.tile([0.0, 1.0, 0.0], (n, 1))
+        self.velocity = np.zeros((n, 3))
+        self.angular_velocity = np.zeros((n, 3))
+        self.rail_displacement = np.zeros((n, 2, 2))
+        self.rail_velocity = np.zeros((n, 2, 2))
+        self.gauge = np.full(n, GAUGE)
+        self.friction = np.full((n, 2), 0.3)
+        self.wrench = np.full((n, 6), np.nan)  # the kernel must overwrite them
+        self.rail_force = np.full((n, 2, 2), np.nan)
+        self.patches = np.full((n, 2, MAX_PATCHES, PATCH_COLUMNS), np.nan)
+        self.status = -1
+
+    def point(self, yaw: float, roll: float = 0.0, i: int = 0) -> None:
+        self.axle[i] = (-math.sin(yaw) * math.cos(roll), math.cos(yaw) * math.cos(roll), math.sin(roll))
+
+    def roll_on(self, speed: float, yaw_rate: float = 0.0, radius: float = R0, i: int = 0) -> None:
+        self.velocity[i, 0] = speed
+        self.angular_velocity[i] = self.axle[i] * speed / radius + np.array([0.0, 0.0, yaw_rate])
+
+    def solve(self, contact_model: WheelRailModel = MODEL) -> "State":
+        self.status = wheel_rail_forces(
+            contact_model, self.position, self.axle, self.velocity, self.angular_velocity,
+            self.rail_displacement, self.rail_velocity, self.gauge, self.friction,
+            self.wrench, self.rail_force, self.patches,
+        )  # fmt: skip
+        return self
+
+    def rows(self, i: int = 0, side: int = 0) -> np.ndarray:
+        return self.patches[i, side][self.patches[i, side, :, Patch.NORMAL_FORCE] > 0]
+
+
+def random_state(n: int, seed: int) -> State:
+    rng = np.random.default_rng(seed)
+    state = State(n)
+    state.position += rng.uniform(-1, 1, (n, 3)) * [0.0, 6e-3, 30e-6]
+    for i in range(n):
+        state.point(rng.uniform(-0.02, 0.02), rng.uniform(-1, 1) * 1e-4, i)
+        state.roll_on(rng.uniform(5, 30), rng.uniform(-0.1, 0.1), i=i)
+    state.velocity += rng.uniform(-1, 1, (n, 3)) * [0.1, 0.1, 0.02]
+    state.angular_velocity += rng.uniform(-1, 1, (n, 3)) * 0.05
+    state.rail_displacement[:] = rng.uniform(-1, 1, (n, 2, 2)) * [1e-3, 2e-5]
+    state.rail_velocity[:] = rng.uniform(-1, 1, (n, 2, 2)) * [0.02, 0.01]
+    state.gauge += rng.uniform(-3e-3, 3e-3, n)
+    state.friction[:] = rng.uniform(0.1, 0.5, (n, 2))
+    return state
+
+
+def test_mirrored_states_give_mirrored_forces() -> None:
+    n = 60
+    state = random_state(n, 1)
+    mirrored = State(n)
+    flip, axial = np.array([1.0, -1.0, 1.0]), np.array([-1.0, 1.0, -1.0])
+    mirrored.position = state.position * flip
+    mirrored.axle = state.axle * axial  # the mirrored axle vector points right; +y is its opposite
+    mirrored.velocity = state.velocity * flip
+    mirrored.angular_velocity = state.angular_velocity * axial
+    mirrored.rail_displacement = state.rail_displacement[:, ::-1] * [-1, 1]
+    mirrored.rail_velocity = state.rail_velocity[:, ::-1] * [-1, 1]
+    mirrored.gauge, mirrored.friction = state.gauge, state.friction[:, ::-1].copy()
+    for array in ("position", "axle", "velocity", "angular_velocity", "rail_displacement", "rail_velocity"):
+        setattr(mirrored, array, np.ascontiguousarray(getattr(mirrored, array)))
+    damped = model(damping=2.0)
+    assert state.solve(damped).status == mirrored.solve(damped).status == 0
+    np.testing.assert_allclose(mirrored.wrench[:, :3], state.wrench[:, :3] * flip, rtol=1e-9, atol=1e-6)
+    np.testing.assert_allclose(mirrored.wrench[:, 3:], state.wrench[:, 3:] * axial, rtol=1e-9, atol=1e-6)
+    np.testing.assert_allclose(
+        mirrored.rail_force, state.rail_force[:, ::-1] * [-1, 1], rtol=1e-9, atol=1e-6
+    )
+    odd = [Patch.NU_Y, Patch.PHI, Patch.FORCE_Y, Patch.MOMENT_Z]
+    swapped = state.patches[:, ::-1].copy()
+    swapped[..., odd] *= -1
+    np.testing.assert_allclose(mirrored.patches, swapped, rtol=1e-8, atol=1e-9)
+    assert (state.patches[..., Patch.NORMAL_FORCE] > 0).sum() > n
+
+
+@pytest.mark.parametrize("y", [-0.003, 0.002, 0.0045, 0.0075])
+def test_static_normal_force_is_hertz(y: float) -> None:
+    state = State(height=R0 + 0.01)
+    state.position[0, 1] = y
+    low, high = R0 - 1e-3, R0 + 0.02
+    for _ in range(60):  # the height of 50 um approach on the left wheel
+        state.position[0, 2] = 0.5 * (low + high)
+        rows = state.solve().rows()
+        low, high = (state.position[0, 2], high) if len(rows) and rows[0, Patch.APPROACH] > 50e-6 else (
+            low, state.position[0, 2],
+        )  # fmt: skip
+    (row,) = state.rows()
+    _, wheel_slope, wheel_second = spline_evaluate(MODEL.wheel_left, row[Patch.Y_WHEEL])
+    _, rail_slope, rail_second = spline_evaluate(MODEL.rail_left, row[Patch.Y_RAIL])
+    assert wheel_slope == pytest.approx(rail_slope, abs=1e-6)  # parallel surfaces, no yaw or roll
+    angle = math.atan(-rail_slope)
+    assert row[Patch.CONTACT_ANGLE] == pytest.approx(angle, abs=1e-9)
+    lateral = 0.5 * (wheel_second - rail_second) / (1 + rail_slope**2) ** 1.5
+    patch = hertz_patch(row[Patch.NORMAL_FORCE], 0.5 * math.cos(angle) / row[Patch.ROLLING_RADIUS], lateral, STEEL)
+    assert row[Patch.APPROACH] == pytest.approx(50e-6, rel=1e-6)
+    assert patch.approach == pytest.approx(50e-6, rel=1e-4)
+    assert [patch.a, patch.b] == pytest.approx([row[Patch.A], row[Patch.B]], rel=1e-4)
+    assert patch.max_pressure == pytest.approx(row[Patch.P_MAX], rel=1e-4)
+    # Frame C is T rolled by the contact angle; no creepage, no creep force but that of spin at rest: none
+    assert row[Patch.FORCE_X] == row[Patch.FORCE_Y] == 0.0
+    normal = row[Patch.NORMAL_FORCE]
+    np.testing.assert_allclose(
+        state.rail_force[0, 0], [normal * math.sin(angle), -normal * math.cos(angle)], rtol=1e-12
+    )
+
+
+def test_creepages_are_the_small_angle_formulas() -> None:
+    speed, yaw, yaw_rate, y_dot, radius = 20.0, 2e-4, 4e-3, 3e-3, 0.4601
+    state = State()
+    state.position[0, 1] = -0.003
+    state.point(yaw)
+    state.roll_on(speed, yaw_rate, radius)
+    state.velocity[0, 1] = y_dot
+    state.solve()
+    for side in (0, 1):
+        sign = 1 - 2 * side
+        row = state.rows(0, side)[0]
+        r, angle = row[Patch.ROLLING_RADIUS], row[Patch.CONTACT_ANGLE]
+        half = 0.75 - row[Patch.Y_WHEEL]
+        # equations.md 2.12-2.14; their errors are products of two small quantities
+        assert row[Patch.NU_X] == pytest.approx(1 - r / radius - sign * yaw_rate * half / speed, abs=2e-7)
+        assert row[Patch.NU_Y] == pytest.approx((y_dot / speed - yaw) / math.cos(angle), abs=1e-6)
+        spin = yaw_rate * math.cos(angle) / speed - sign * math.sin(angle) / radius
+        assert row[Patch.PHI] == pytest.approx(spin, abs=1e-6)
+
+
+def test_power_balance_and_geometry_of_the_wrench() -> None:
+    """Power of all forces on wheelset and rails = -(lost power) - power stored in the elastic contact."""
+    n, damping = 60, 3.0
+    state = random_state(n, 2)
+    state.solve(model(damping=damping))
+    distance, total_patches = 0.75, 0
+    for i in range(n):
+        power = state.wrench[i, :3] @ state.velocity[i] + state.wrench[i, 3:] @ state.angular_velocity[i]
+        power += (state.rail_force[i] * state.rail_velocity[i]).sum()
+        lost = stored = 0.0
+        force = np.zeros(3)
+        for side in (0, 1):
+            sign = 1 - 2 * side
+            for row in state.rows(i, side):
+                total_patches += 1
+                # The contact point from the wheel's own geometry: axial coordinate and radius
+                axle = state.axle[i]
+                t = sign * (distance - row[Patch.Y_WHEEL])
+                gauge_point = (MODEL.gauge_point_left, MODEL.gauge_point_right)[side]
+                p_y = sign * (state.gauge[i] / 2 + gauge_point - row[Patch.Y_RAIL])
+                p_y += state.rail_displacement[i, side, 0] - state.position[i, 1]
+                p_x = row[Patch.X_SHIFT]
+                p_z = -math.sqrt(row[Patch.ROLLING_RADIUS] ** 2 + t**2 - p_x**2 - p_y**2)
+                point = np.array([p_x, p_y, p_z])
+                assert point @ axle == pytest.approx(t, abs=1e-9)
+                angle = sign * row[Patch.CONTACT_ANGLE]
+                normal = np.array([0.0, -math.sin(angle), math.cos(angle)])
+                across = np.array([0.0, math.cos(angle), math.sin(angle)])
+                slip = state.velocity[i] + np.cross(state.angular_velocity[i], point)
+                slip -= [0.0, *state.rail_velocity[i, side]]
+                rate = -slip @ normal
+                assert row[Patch.NU_X] * state.velocity[i, 0] == pytest.approx(slip[0], abs=1e-9)
+                assert row[Patch.NU_Y] * state.velocity[i, 0] == pytest.approx(slip @ across, abs=1e-9)
+                elastic = row[Patch.NORMAL_FORCE] / (1 + damping * rate)
+                lost += row[Patch.POWER]
+                stored += elastic * rate
+                assert row[Patch.POWER] >= 0.0
+                force += [row[Patch.FORCE_X], 0, 0]
+                force += row[Patch.FORCE_Y] * across + row[Patch.NORMAL_FORCE] * normal
+        scale = abs(lost) + abs(stored) + 1.0
+        assert power == pytest.approx(-lost - stored, abs=1e-8 * scale + 1e-5)
+        np.testing.assert_allclose(state.wrench[i, :3], force, rtol=1e-10, atol=1e-6)
+    assert total_patches > n
+
+
+def test_damping_acts_on_approach_and_never_pulls() -> None:
+    rest, moving = State().solve(), State()
+    moving.velocity[0, 2] = -0.05
+    damped = model(damping=4.0)
+    factor = moving.solve(damped).wrench[0, 2] / rest.wrench[0, 2]
+    assert factor == pytest.approx(1 + 4.0 * 0.05, rel=2e-3)  # less the cosine of the contact angle
+    moving.velocity[0, 2] = 1.0
+    moving.solve(damped)
+    assert (moving.wrench == 0).all()
+    assert (moving.patches == 0).all()
+
+
+def test_two_points_near_the_flange_and_conformal_contact_is_counted() -> None:
+    state = State(height=R0 - 50e-6)
+    counts, floored = [], 0
+    for y in np.arange(0.0, 0.0068, 2e-5):
+        state.position[0, 1] = y
+        rows = state.solve().rows()
+        counts.append(len(rows))
+        floored += int(rows[:, Patch.FLOORED].sum())
+        assert np.isfinite(rows).all()
+    assert 2 in counts
+    # S1002 meets 60E1 upright in places conformally: there the floor must be seen, and the patch be finite
+    upright = model(rail_profile("60E1", 0.0))
+    flags = []
+    for y in np.arange(-0.008, 0.008, 5e-5):
+        state.position[0, 1] = y
+        rows = state.solve(upright).rows()
+        flags += list(rows[:, Patch.FLOORED])
+        b = rows[rows[:, Patch.FLOORED] == 1, Patch.B]
+        assert (b < 0.03).all()
+    assert 1.0 in flags
+    assert 0.0 in flags
+    assert CURVATURE_FLOOR > 0
+
+
+@pytest.mark.parametrize("wheel", [0, 3, 6])
+def test_status_names_the_wheel(wheel: int) -> None:
+    state = State(4)
+    array = state.rail_displacement if wheel % 2 else state.position
+    array[(wheel // 2, 1, 1) if wheel % 2 else (wheel // 2, 1)] = np.nan
+    assert state.solve().status == 1 + wheel
+
+
+def test_model_checks_its_input() -> None:
+    wheel, rail = wheel_profile("S1002"), rail_profile("60E1")
+    for options, message in (
+        ({"nominal_radius": 460.0}, "nominal_radius = 460.0 m"),
+        ({"back_to_back": 1360.0}, "back_to_back"),
+        ({"damping": -1.0}, "damping"),
+        ({"theory": "magic"}, "fastrip"),
+        ({"cells": (0, 15)}, "cells"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            wheel_rail_model(wheel, wheel, rail, rail, **({"nominal_radius": R0} | options))
+    with pytest.raises(ValueError, match="rail_left"):
+        wheel_rail_model(wheel, wheel, wheel, rail, nominal_radius=R0)
+
+
+# --- The Manchester contact benchmark A-2.2 -------------------------------------------------------------
+
+ROWS = list(
+    csv.DictReader(line for line in REFERENCE.read_text().splitlines() if not line.startswith("#"))
+)
+JUMP = {("right", y) for y in ("5", "5.0", "5.5", "6", "6.0", "6.5")}  # tread to flange
+
+
+def benchmark(row: dict[str, str], contact_model: WheelRailModel) -> tuple[np.ndarray, float]:
+    """Patches under the prescribed vertical force, and how far the wheelset stands from the reference [m].
+
+    The benchmark's frame is x forward, y right, z down: y, yaw and pitch rate change sign, roll does not.
+    """
+    side = 0 if row["side"] == "left" else 1
+    state = State()
+    state.position[0, 1] = -float(row["y_ws"]) * 1e-3
+    state.point(-float(row["yaw_ws"]), float(row["roll_ws"]))
+    state.velocity[0, 0] = 2.0
+    state.angular_velocity[0] = -float(row["vpitch_ws"]) * state.axle[0]
+    reference = R0 - float(row["z_ws"]) * 1e-3
+    low, high = reference - 0.5e-3, reference + 0.5e-3
+    for _ in range(50):
+        state.position[0, 2] = 0.5 * (low + high)
+        if -state.solve(contact_model).rail_force[0, side, 1] > float(row["fz_tr"]):
+            low = state.position[0, 2]
+        else:
+            high = state.position[0, 2]
+    return state.rows(0, side), state.position[0, 2] - reference
+
+
+def compare(row: dict[str, str], rows: np.ndarray, y_top: float, *, creep: bool) -> None:
+    """One-patch rows of the reference; patches of ours that it has merged are averaged by their force."""
+    sign = 1.0 if row["side"] == "left" else -1.0
+    normal = rows[:, Patch.NORMAL_FORCE]
+    y_rail = (normal @ rows[:, Patch.Y_RAIL] / normal.sum() - y_top) * 1e3
+    angle = normal @ rows[:, Patch.CONTACT_ANGLE] / normal.sum()
+    assert y_rail == pytest.approx(sign * float(row["y_r"]), abs=1.0)
+    assert angle == pytest.approx(sign * float(row["delta_r"]), abs=0.03 if angle > 0.3 else 0.01)
+    assert normal.sum() == pytest.approx(float(row["fn"]), rel=0.02)
+    if creep:
+        limit = 0.03 * 0.3 * float(row["fn"])
+        (one,) = rows
+        assert one[Patch.FORCE_X] == pytest.approx(-float(row["fx"]), abs=limit)
+        # frame of the reference: s to the right in the contact plane, force on the rail
+        assert one[Patch.FORCE_Y] == pytest.approx(float(row["fs"]), abs=limit)
+        assert one[Patch.P_MAX] == pytest.approx(float(row["pmax"]) * 1e6, rel=0.06)
+        assert one[Patch.NU_Y] == pytest.approx(float(row["ceta"]), abs=5e-4)
+        assert one[Patch.NU_X] == pytest.approx(-float(row["cksi"]), abs=5e-4)
+        # spin about the normal into the wheel, of the wheel: minus rail-to-wheel, about the opposite axis
+        assert one[Patch.PHI] == pytest.approx(float(row["cphi"]) * 1e3, abs=0.02)
+        assert one[Patch.X_SHIFT] == pytest.approx(float(row["x_tr"]) * 1e-3, abs=0.1e-3)
+
+
+def top_of(rail: Profile) -> float:
+    """The reference measures y from the highest point, here on the crown's 300 mm arc inclined 1:40."""
+    return -0.3 * math.sin(math.atan(1 / 40)) if rail.name.startswith("60E1") else 0.0
+
+
+@pytest.mark.parametrize("row", ROWS, ids=lambda row: f"{row['load']}-{row['side']}-{row['y_ws']}mm")
+def test_manchester_benchmark_with_60e1(row: dict[str, str]) -> None:
+    y, load = float(row["y_ws"]), row["load"]
+    if (row["side"], row["y_ws"]) in JUMP:
+        pytest.skip("row at the jump from tread to flange: hangs on 0.03 mm of the rail's shape, see below")
+    if load == "60kN" and y < 2.0:
+        pytest.skip("conformal tread: 60 kN on an ellipse 20 mm wide is far from elliptic (1.8 mm off)")
+    rows, _ = benchmark(row, MODEL)
+    # At y = 0 and 1 mm the patch spans 16 and 8 mm of changing curvature: geometry only.
+    compare(row, rows, top_of(rail_profile("60E1", 1 / 40)), creep=y > 1.5)
+
+
+@pytest.fixture(scope="module")
+def manchester(shared_profiles: Path) -> WheelRailModel:
+    """The benchmark's own rail, from its file (right rail, y outwards, z down)."""
+    body = (shared_profiles / "MBench_UIC60_v3.prr").read_text().split("point.begin")[1].split("point.end")[0]
+    rows = [line.split() for line in body.splitlines() if line[:1] not in ("", " ", "!")]
+    y, z = -np.array([[float(word) for word in row[:2]] for row in rows])[::-1].T * 1e-3
+    keep = np.abs(z) < 0.0165
+    return model(Profile("Manchester", "rail", y[keep], z[keep]))
+
+
+@pytest.mark.parametrize(
+    "row", [row for row in ROWS if row["load"] == "10kN"], ids=lambda row: f"{row['side']}-{row['y_ws']}mm"
+)
+def test_manchester_benchmark_with_its_own_rail(row: dict[str, str], manchester: WheelRailModel) -> None:
+    rows, height = benchmark(row, manchester)
+    assert abs(height) < 5e-6  # the wheelset stands where CONTACT's does
+    y = float(row["y_ws"])
+    if row["side"] == "right" and y == 5.0:
+        return  # merged by the reference: the next test
+    compare(row, rows, 0.0, creep=y > 1.5)
+
+
+def test_manchester_two_point_row(manchester: WheelRailModel) -> None:
+    """y = 5 mm, right wheel on tread side and gauge corner at once; the reference with patches kept apart."""
+    references = [row for row in ROWS if row["load"] == "10kN_separate"]
+    rows, _ = benchmark(references[0], manchester)
+    rows = rows[np.argsort(rows[:, Patch.Y_RAIL])]
+    assert len(rows) == len(references) == 2
+    for ours, row in zip(rows, references, strict=True):
+        assert ours[Patch.Y_RAIL] * 1e3 == pytest.approx(-float(row["y_r"]), abs=0.1)
+        assert ours[Patch.CONTACT_ANGLE] == pytest.approx(-float(row["delta_r"]), abs=0.005)
+        assert ours[Patch.NORMAL_FORCE] == pytest.approx(float(row["fn"]), abs=200.0)  # of 10 kN
+        assert ours[Patch.P_MAX] == pytest.approx(float(row["pmax"]) * 1e6, rel=0.06)

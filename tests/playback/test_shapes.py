@@ -1,0 +1,146 @@
+"""Shapes: closed, of the wagon's real lengths, light enough, and placed about the centres of mass."""
+
+import numpy as np
+import pytest
+import trimesh
+
+from hh_exudyn.contact.profile import rail_profile, wheel_profile
+from hh_exudyn.playback.dimensions import WagonDimensions, wagon_dimensions
+from hh_exudyn.playback.meshes import box, shaded, turned
+from hh_exudyn.playback.shapes import wagon_shapes
+from hh_exudyn.playback.track_shapes import pieces, rail_section, sleeper
+from track.alignment import Alignment, Curve, Straight, Transition
+from vehicles.catalogue import vehicle
+
+
+@pytest.fixture(scope="module")
+def tread() -> np.ndarray:
+    profile = wheel_profile("S1002")
+    return np.column_stack([profile.y, profile.z])
+
+
+@pytest.fixture(scope="module")
+def shapes(tread: np.ndarray) -> dict[str, trimesh.Trimesh]:
+    return wagon_shapes(WagonDimensions(), tread)
+
+
+def test_every_shape_is_closed_light_and_points_outwards(shapes: dict[str, trimesh.Trimesh]) -> None:
+    for name, mesh in shapes.items():
+        assert mesh.is_watertight, name
+        assert mesh.is_winding_consistent, name
+        assert mesh.volume > 0.0, name
+        assert len(mesh.faces) < 20_000, name
+
+
+def test_wagon_has_the_published_lengths(shapes: dict[str, trimesh.Trimesh]) -> None:
+    """Length over couplers, basket width and height of Table 1-1 (Hossein-Nia 2018)."""
+    body = shapes["car_body"].bounds + np.array([0.0, 0.0, WagonDimensions().car_body_height])
+    np.testing.assert_allclose(body[:, 0], [-10.29 / 2, 10.29 / 2], atol=1e-9)
+    np.testing.assert_allclose(body[:, 1], [-3.49 / 2, 3.49 / 2], atol=1e-9)
+    assert body[1, 2] == pytest.approx(3.64)
+    assert body[0, 2] > 0.3  # clear of the rails
+
+
+def test_wheels_stand_on_the_rails_with_flanges_inside(shapes: dict[str, trimesh.Trimesh]) -> None:
+    """Greatest radius is the flange's: 457.5 mm and the 28 mm of S1002, 1360 mm between the flange backs."""
+    points = np.asarray(shapes["wheelset_1"].vertices)
+    radius = np.hypot(points[:, 0], points[:, 2])
+    assert radius.max() == pytest.approx(0.4575 + 0.028, abs=1e-4)
+    assert np.abs(points[radius > 0.42, 1]).min() == pytest.approx(0.68, abs=1e-6)
+    assert np.abs(points[radius > 0.4575 + 0.015, 1]).max() < 0.75
+
+
+def test_ore_lies_in_the_basket_and_heaps_over_its_rim(shapes: dict[str, trimesh.Trimesh]) -> None:
+    ore, size = shapes["car_body/ore"], WagonDimensions()
+    assert np.all(np.abs(ore.bounds[:, 0]) < 0.5 * size.basket_length)
+    assert np.all(np.abs(ore.bounds[:, 1]) < 0.5 * size.basket_width)
+    low, high = ore.bounds[:, 2] + size.car_body_height
+    assert low < size.height - 0.3 and size.height < high < size.height + 0.5
+
+
+def test_empty_wagon_has_no_ore(tread: np.ndarray) -> None:
+    empty = wagon_dimensions(vehicle("iore_wagon_empty"))
+    assert "car_body/ore" not in wagon_shapes(empty, tread)
+
+
+def test_dimensions_come_from_the_description() -> None:
+    loaded = vehicle("iore_wagon_loaded")
+    size = wagon_dimensions(loaded)
+    assert size.length == loaded.dimensions["length"]
+    assert size.car_body_height == loaded.body("car_body").position[2]
+
+
+@pytest.mark.parametrize("change", [{"length": 0.0}, {"wheelbase": -1.0}, {"basket_length": 11.0}])
+def test_wrong_lengths_are_refused(change: dict[str, float]) -> None:
+    with pytest.raises(ValueError, match=next(iter(change))):
+        WagonDimensions(**change)
+
+
+def test_side_frames_mirror_each_other(shapes: dict[str, trimesh.Trimesh]) -> None:
+    left, right = shapes["side_frame_1L"], shapes["side_frame_1R"]
+    np.testing.assert_allclose(left.vertices * (1.0, -1.0, 1.0), right.vertices)
+    assert right.volume == pytest.approx(left.volume)
+
+
+def test_shading_keeps_a_box_sharp_and_a_cylinder_round() -> None:
+    sharp = shaded(box((0.0, 0.0, 0.0), (1.0, 2.0, 3.0), (10, 20, 30)))
+    assert {tuple(normal) for normal in np.abs(sharp.normals).round(6).tolist()} == {
+        (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+    }  # fmt: skip
+    assert set(map(tuple, sharp.colours.tolist())) == {(10, 20, 30, 255)}
+    cylinder = shaded(turned(np.array([[0.0, 0.5], [1.0, 0.5]]), 48, (1, 2, 3)))
+    shell = np.abs(cylinder.normals[:, 1]) < 0.5
+    outward = cylinder.positions[shell] * (2.0, 0.0, 2.0)
+    np.testing.assert_allclose(cylinder.normals[shell], outward, atol=0.03)
+
+
+def test_shading_keeps_every_triangle(shapes: dict[str, trimesh.Trimesh]) -> None:
+    mesh = shapes["wheelset_1"]
+    shape = shaded(mesh)
+    np.testing.assert_allclose(shape.positions[shape.triangles], mesh.triangles, atol=1e-6)
+
+
+def test_rail_section_is_a_60e1() -> None:
+    """Height 172 mm, foot 150 mm, head 72 mm wide 14 mm below its top (EN 13674-1)."""
+    section = rail_section(rail_profile("60E1", inclination=0.0))
+    assert np.ptp(section[:, 1]) == pytest.approx(0.172, abs=1e-4)
+    assert np.ptp(section[:, 0]) == pytest.approx(0.150, abs=1e-6)
+    head = section[section[:, 1] > -0.03]
+    field, gauge = head[head[:, 0] < 0.0], head[head[:, 0] > 0.0][::-1]
+    width = np.interp(-0.014, gauge[:, 1], gauge[:, 0]) - np.interp(-0.014, field[:, 1], field[:, 0])
+    assert width == pytest.approx(0.072, abs=5e-4)
+
+
+def test_rails_lie_at_the_gauge_along_a_curve() -> None:
+    """Everywhere the rails' inner faces, 14 mm below the top, are one gauge apart (to the swept chord)."""
+    gauge = 1.445
+    alignment = Alignment((Straight(40.0), Transition(60.0), Curve(100.0, 250.0, "right", 0.08, gauge)))
+    rail = rail_profile("60E1")
+    piece = next(pieces(alignment, rail, rail, 120.0, 170.0))
+    centre = np.array([0.0, -250.0, 0.0])
+    local = Alignment((Curve(100.0, 250.0, "right", 0.0, gauge),))
+    swept = next(pieces(local, rail, rail, 0.0, 40.0))
+    points = np.asarray(swept.rails.vertices) + swept.origin - centre
+    radius = np.hypot(points[:, 0], points[:, 1])
+    in_band = np.abs(points[:, 2] + 0.014) < 0.012
+    inner, outer = radius[in_band & (radius < 250.0)], radius[in_band & (radius > 250.0)]
+    assert outer.min() - inner.max() == pytest.approx(gauge, abs=1.5e-3)
+    assert piece.rails.is_watertight and piece.bed.is_watertight
+    assert np.abs(piece.rails.vertices).max() < 30.0  # relative to the piece's own origin
+
+
+def test_pieces_cover_the_way_and_keep_the_sleeper_spacing() -> None:
+    alignment = Alignment((Straight(130.0),))
+    rail = rail_profile("60E1")
+    parts = list(pieces(alignment, rail, rail, 3.0, 127.0))
+    along = np.concatenate([part.sleepers.position[:, 0] + part.origin[0] for part in parts])
+    np.testing.assert_allclose(np.diff(along), 0.6, atol=1e-9)
+    assert along[0] >= 3.0 and along[-1] <= 127.0
+    assert all(np.array_equal(part.origin, part.origin.astype(np.float32)) for part in parts)
+    assert sleeper().is_watertight
+
+
+def test_track_outside_of_the_alignment_is_refused() -> None:
+    rail = rail_profile("60E1")
+    with pytest.raises(ValueError, match="no track"):
+        list(pieces(Alignment((Straight(50.0),)), rail, rail, 500.0, 600.0))

@@ -1,0 +1,179 @@
+"""The house of the project, held by machine: who may import whom, and the shape of the source tree.
+
+`violations` walks the syntax trees of a checkout; the second half of the file shows on small trees that every
+rule can fail.
+"""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+PACKAGES = ("hh_exudyn", "vehicles", "track", "damage")
+TOP_LEVEL = {*PACKAGES, "tests", "examples", "pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md"}
+LEFTOVERS = {"build", "dist", "runs", "__pycache__"}  # what tools leave behind, ignored by git
+LINES = 400
+
+BASE = ("hh_exudyn", "hh_exudyn.conventions", "hh_exudyn.kernel")  # everything may import these
+MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is named by its prefix
+    "hh_exudyn.contact": (),
+    "hh_exudyn.log": (),
+    "vehicles": ("hh_exudyn.contact.profile",),
+    "track": ("hh_exudyn.contact.profile",),
+    "damage": ("hh_exudyn.contact", "hh_exudyn.log"),
+    "hh_exudyn.case_errors": (),
+    "hh_exudyn.case_tables": ("vehicles", "track", "hh_exudyn.contact"),
+    "hh_exudyn.case": (
+        "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.case_errors", "hh_exudyn.case_tables",
+    ),
+    "hh_exudyn.multibody": ("hh_exudyn.case", "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.log"),
+    "hh_exudyn.playback": (
+        "hh_exudyn.log", "hh_exudyn.case", "hh_exudyn.contact", "damage", "vehicles", "track",
+    ),
+    "hh_exudyn.cli": PACKAGES,
+    "hh_exudyn.__main__": ("hh_exudyn.cli",),
+    "hh_exudyn.conventions": (),
+    "hh_exudyn.kernel": (),
+    "hh_exudyn": (),  # the package itself
+}  # fmt: skip
+ONLY_IN = {"exudyn": "hh_exudyn.multibody", "numba": "hh_exudyn.kernel"}
+
+
+def within(module: str, part: str) -> bool:
+    """Whether a module is a part or lies in it; the package `hh_exudyn` means its own file only."""
+    return module == part or (part != "hh_exudyn" and module.startswith(part + "."))
+
+
+def modules_of(root: Path) -> dict[str, Path]:
+    """All modules of the packages by dotted name."""
+    found = {}
+    for package in PACKAGES:
+        for path in sorted((root / package).rglob("*.py")):
+            parts = path.relative_to(root).with_suffix("").parts
+            found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    return found
+
+
+def imports_of(path: Path, module: str, known: set[str]) -> tuple[set[str], list[str]]:
+    """Modules that a file imports anywhere in it, and its star and relative imports."""
+    found, bad = set(), []
+    for node in ast.walk(ast.parse(path.read_text(), filename=str(path))):
+        if isinstance(node, ast.Import):
+            found |= {name.name for name in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            source = node.module or ""
+            if node.level:
+                bad.append(f"{module}: relative import, line {node.lineno}")
+            for name in node.names:
+                if name.name == "*":
+                    bad.append(f"{module}: star import from {source}")
+                full = f"{source}.{name.name}"
+                found.add(full if full in known else source)
+    return found, bad
+
+
+def cycle_in(graph: dict[str, set[str]]) -> list[str]:
+    """One import cycle, or nothing."""
+    done: set[str] = set()
+
+    def visit(node: str, trail: list[str]) -> list[str]:
+        if node in trail:
+            return [*trail[trail.index(node) :], node]
+        if node in done:
+            return []
+        for target in sorted(graph[node]):
+            if cycle := visit(target, [*trail, node]):
+                return cycle
+        done.add(node)
+        return []
+
+    return next((cycle for node in sorted(graph) if (cycle := visit(node, []))), [])
+
+
+def violations(root: Path) -> list[str]:
+    """Every breach of the house rules in a checkout."""
+    modules = modules_of(root)
+    graph, found = {}, []
+    for module, path in modules.items():
+        targets, bad = imports_of(path, module, set(modules))
+        found += bad
+        graph[module] = {target for target in targets if target in modules and target != module}
+        part = max((part for part in MAY_IMPORT if within(module, part)), key=len, default="")
+        if not part:
+            found.append(f"{module}: has no place in the import table")
+            continue
+        for target in sorted(targets):
+            name = target.split(".")[0]
+            if name in ONLY_IN and not within(module, ONLY_IN[name]):
+                found.append(f"{module}: imports {name}, only {ONLY_IN[name]} may")
+            allowed = (part, *BASE, *MAY_IMPORT[part])
+            whole = module == "hh_exudyn.cli" and name in PACKAGES
+            if name in PACKAGES and not whole and not any(within(target, other) for other in allowed):
+                found.append(f"{module}: imports {target}")
+        if "utils" in path.stem or "helpers" in path.stem:
+            found.append(f"{module}: name a file after the thing, not {path.stem}")
+        if (length := len(path.read_text().splitlines())) > LINES:
+            found.append(f"{module}: {length} lines, at most {LINES}")
+    if cycle := cycle_in(graph):
+        found.append("import cycle: " + " -> ".join(cycle))
+    for entry in sorted(root.iterdir()):
+        known = TOP_LEVEL | LEFTOVERS
+        if entry.name not in known and not entry.name.startswith(".") and entry.suffix != ".egg-info":
+            found.append(f"{entry.name}: nothing else belongs at the top level")
+    return found
+
+
+def test_house_rules_hold() -> None:
+    assert violations(ROOT) == []
+
+
+def test_examples_are_numbered_and_short() -> None:
+    for path in sorted((ROOT / "examples").glob("*.py")):
+        assert path.name[:2].isdigit(), path.name
+        assert len(path.read_text().splitlines()) < 60, path.name
+
+
+CLEAN = {
+    "hh_exudyn/__init__.py": "",
+    "hh_exudyn/kernel.py": "import numba",
+    "hh_exudyn/contact/__init__.py": "",
+    "hh_exudyn/contact/profile.py": "from hh_exudyn.kernel import kernel",
+    "hh_exudyn/multibody/assembly.py": "import exudyn",
+    "track/rails.py": "from hh_exudyn.contact.profile import rail_profile",
+    "damage/wear.py": "import hh_exudyn.contact.profile",
+    "hh_exudyn/cli.py": "from hh_exudyn import __version__\nfrom damage import wear",
+}
+BREACHES = {
+    "contact imports damage": ({"hh_exudyn/contact/hertz.py": "from damage import wear"}, "imports damage"),
+    "inside a function": ({"track/a.py": "def f():\n    import vehicles.wagon"}, "imports vehicles"),
+    "more of contact": ({"track/a.py": "import hh_exudyn.contact.hertz"}, "imports hh_exudyn.contact.hertz"),
+    "exudyn elsewhere": ({"vehicles/a.py": "import exudyn.utilities"}, "only hh_exudyn.multibody may"),
+    "numba elsewhere": ({"vehicles/a.py": "from numba import njit"}, "only hh_exudyn.kernel may"),
+    "star": ({"damage/a.py": "from numpy import *"}, "star import"),
+    "relative": ({"damage/a.py": "from . import wear"}, "relative import"),
+    "utils": ({"damage/plot_utils.py": ""}, "name a file after the thing"),
+    "long file": ({"damage/a.py": "x = 1\n" * (LINES + 1)}, "401 lines"),
+    "cycle": ({"track/a.py": "import track.b", "track/b.py": "from track import a"}, "import cycle: track.a"),
+    "no place": ({"hh_exudyn/odd.py": ""}, "hh_exudyn.odd: has no place"),
+    "top level": ({"scripts/a.py": ""}, "scripts: nothing else belongs"),
+}
+
+
+def tree(root: Path, files: dict[str, str]) -> Path:
+    for name, text in files.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text)
+    return root
+
+
+def test_clean_tree_passes(tmp_path: Path) -> None:
+    assert violations(tree(tmp_path, CLEAN)) == []
+
+
+@pytest.mark.parametrize("name", BREACHES)
+def test_breach_is_found(tmp_path: Path, name: str) -> None:
+    files, message = BREACHES[name]
+    found = violations(tree(tmp_path, CLEAN | files))
+    assert len(found) == 1
+    assert message in found[0]

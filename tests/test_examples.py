@@ -1,0 +1,63 @@
+"""Every example runs as its docstring says, and what it prints is what it promises."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
+
+
+def run(name: str, *words: str | Path) -> str:
+    """Run an example in a process of its own, away from the checkout; its standard output."""
+    result = subprocess.run(
+        [sys.executable, "-W", "error", EXAMPLES / name, *map(str, words)],
+        capture_output=True, text=True, cwd="/",
+    )  # fmt: skip
+    assert result.returncode == 0, result.stderr
+    return result.stdout
+
+
+def test_one_contact() -> None:
+    """Forces rise with creepage to full friction; the two theories stay within 5 % of mu N of each other."""
+    text = run("01_one_contact.py")
+    assert text.startswith("147.2 kN: ")
+    rows = [
+        tuple(map(float, row)) for row in re.findall(r"^ +([\d.]+) +([\d.]+) +([\d.]+)$", text, re.MULTILINE)
+    ]
+    assert len(rows) == 5
+    for column in (1, 2):
+        forces = [row[column] for row in rows]
+        assert forces == sorted(forces)
+        assert 0.98 < forces[-1] <= 1.0
+    assert all(abs(row[1] - row[2]) < 0.05 for row in rows)
+
+
+@pytest.fixture(scope="module")
+def frictions(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    folder = tmp_path_factory.mktemp("examples")
+    return folder, run("02_two_frictions.py", folder)
+
+
+@pytest.mark.slow
+def test_two_frictions(frictions: tuple[Path, str]) -> None:
+    folder, text = frictions
+    assert len(re.findall(r"^  wheelset \d: Q", text, re.MULTILINE)) == 8
+    assert {path.name for path in folder.iterdir()} == {"dry", "damp"}
+
+
+@pytest.mark.slow
+def test_damage_of_a_run(frictions: tuple[Path, str], tmp_path: Path) -> None:
+    """A harder steel (ER9) is never beyond shakedown for longer than a softer one (ER7)."""
+    text = run("03_damage_of_a_run.py", frictions[0] / "dry", tmp_path)
+    shares = dict(re.findall(r"^(ER\d): .* (\d+)% of the way$", text, re.MULTILINE))
+    assert int(shares["ER9"]) <= int(shares["ER7"])
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["fatigue.png", "shakedown.png", "wear.png"]
+
+
+def test_every_example_is_run_here() -> None:
+    source = Path(__file__).read_text()
+    for path in EXAMPLES.glob("*.py"):
+        assert f'run("{path.name}"' in source
