@@ -3,6 +3,8 @@
 Every figure looks at the wheel profile in side coordinates: the flange is on the right in all panels.
 """
 
+import math
+
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.axes import Axes
@@ -19,7 +21,7 @@ from damage.wheel_surface import FLANGE, TREAD, Wheel
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT
 
-FLANGE_ROOT = 0.026  # where the flange's shading starts: about the 10 degree point of S1002 [m]
+FLANGE_ROOT = 0.027  # where the flange begins if no profile is given: 15 degrees on S1002 [m]
 _SHOWN = (-0.065, 0.060)  # lateral range of the panels [m]
 # starts dark enough for a cell with one working point to be seen on white
 _DENSITY = LinearSegmentedColormap.from_list("density", colormaps["YlOrBr"](np.linspace(0.35, 1.0, 256)))
@@ -51,10 +53,11 @@ def wear_figure(
     figure, panels = _panels(report, vehicle, outer_side, "wear depth [mm per 1000 km]")
     y = report.surface.grid.centres
     depths = {index: report.surface.depth_per_km[index] * 1e6 for index in panels}  # mm per 1000 km
-    _finish(panels, profile, max(float(depth.max()) for depth in depths.values()))
+    root = _flange_root(profile, report.flange_angle)
+    _finish(panels, profile, root, max(float(depth.max()) for depth in depths.values()))
     for index, axes in panels.items():
         axes.fill_between(y * 1e3, depths[index], step="mid", color=_TREAD_COLOUR, linewidth=0)
-        for place, where, across in (("tread", y < FLANGE_ROOT, 0.02), ("flange", y >= FLANGE_ROOT, 0.985)):
+        for place, where, across in (("tread", y < root, 0.02), ("flange", y >= root, 0.985)):
             largest = float(depths[index][where].max())
             text = f"{place}: max {largest:.3g}" if largest > 0.0 else place
             _corner_text(axes, text, across)
@@ -75,7 +78,8 @@ def fatigue_figure(
     surface = report.surface
     y = surface.grid.centres * 1e3
     contact = {index: 100.0 * surface.contact_time[index].sum(axis=0) / surface.time for index in panels}
-    _finish(panels, profile, max(float(share.max()) for share in contact.values()))
+    root = _flange_root(profile, report.flange_angle)
+    _finish(panels, profile, root, max(float(share.max()) for share in contact.values()))
     for index, axes in panels.items():
         axes.fill_between(
             y, contact[index], step="mid", color=_CONTACT_COLOUR, linewidth=0, label="in contact"
@@ -192,16 +196,27 @@ def _corner_text(axes: Axes, text: str, across: float) -> None:
     )
 
 
-def _finish(panels: dict[int, Axes], profile: Profile | None, highest: float) -> None:
+def _flange_root(profile: Profile | None, flange_angle: float) -> float:
+    """Where the profile first becomes steeper than the flange angle, outwards from the running circle [m]."""
+    if profile is None:
+        return FLANGE_ROOT
+    middles = 0.5 * (profile.y[1:] + profile.y[:-1])
+    steep = (middles > 0.0) & (-np.diff(profile.z) / np.diff(profile.y) > math.tan(flange_angle))
+    return float(middles[np.argmax(steep)]) if steep.any() else float(profile.y[-1])
+
+
+def _finish(panels: dict[int, Axes], profile: Profile | None, root: float, highest: float) -> None:
     """One scale for all panels, the flange side marked, and the profile's outline below zero."""
     top = 1.3 * highest if highest > 0.0 else 1.0
     for axes in panels.values():
         axes.set_xlim(_SHOWN[0] * 1e3, _SHOWN[1] * 1e3)
         axes.set_ylim(0.0 if profile is None else -_BELOW * top, top)
-        axes.axvspan(FLANGE_ROOT * 1e3, _SHOWN[1] * 1e3, color="#eef3f8", zorder=0)
+        axes.axvspan(root * 1e3, _SHOWN[1] * 1e3, color="#eef3f8", zorder=0)
         axes.axvline(0.0, color="0.85", linewidth=0.6, zorder=0)
         axes.tick_params(labelsize=7, direction="in")
-        axes.set_yticks([tick for tick in MaxNLocator(4).tick_values(0.0, top) if 0.0 <= tick <= top])
+        axes.set_yticks(
+            [tick for tick in MaxNLocator(4).tick_values(0.0, top) if 0.0 <= tick <= 1.1 * highest]
+        )
         if profile is not None:
             axes.axhline(0.0, color="black", linewidth=0.6)
             _draw_outline(axes, profile)

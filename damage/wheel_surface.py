@@ -107,7 +107,8 @@ class WheelSurface:
     worn_volume
         (W, 4) worn volume by region of Jendel's map, see `damage.wear.REGIMES` [m^3].
     contact_time
-        (W, 2, B) time that the bin was in contact, on the tread and on the flange [s].
+        (W, 2, B) time that the bin was in contact, on the tread and on the flange [s]; where two patches of
+        a wheel overlap, both count.
     fatigue_time
         (W, 2, B) time that the bin lay in a patch with a fatigue index above zero [s].
     patch_time

@@ -134,7 +134,11 @@ _Cells = Annotated[int, Field(ge=5, le=100)]
 
 
 class ContactCase(CaseTable):
-    """Tangential theory, its grid, and the damping of the normal force."""
+    """Tangential theory, its grid, and the damping d of the normal force N (1 + d * approach rate).
+
+    The default of d is assumed: at 150 kN it is a damper of 150 kN s/m, about a fifth of the critical one of
+    a 100 kg rail on the contact spring of some 1.3 GN/m.
+    """
 
     theory: Literal["fastrip", "fastsim"] = "fastrip"
     cells: tuple[_Cells, _Cells] = Field(

@@ -2,7 +2,7 @@
 
 import math
 
-from vehicles.description import Body, Coupler, Vehicle
+from vehicles.description import Body, Coupler, Coupling, Vehicle, Wheelset
 from vehicles.parameters import ParameterSet
 from vehicles.three_piece_bogie import bogie_bodies, bogie_couplings, bogie_wheelsets
 
@@ -18,8 +18,8 @@ def ore_wagon(name: str, p: ParameterSet, payload: float) -> Vehicle:
     half = p["wagon.centre_plate_distance"] / 2
     body = _car_body(p, payload)
     bodies = [body]
-    couplings = []
-    wheelsets = []
+    couplings: list[Coupling] = []
+    wheelsets: list[Wheelset] = []
     for number, middle in ((1, half), (2, -half)):
         bodies += bogie_bodies(p, number, middle)
         couplings += bogie_couplings(p, number, middle, body.name)

@@ -1,15 +1,17 @@
 """A wheel on a rail: from profiles and pose to patches, pressures and creep forces. No Exudyn, no files.
 
-==============  ===================================================================================
-`types`         NamedTuples that enter kernels, columns of a contact state
-`material`      elastic constants
-`profile`       wheel and rail profiles: standard shapes, readers, smoothing, kernel tables
-`search`        all contact patches of a wheel on its rail, for a full pose of the wheelset
-`hertz`         normal contact: ellipse, pressure, approach
-`kalker`        creep coefficients of the linear theory
-`fastsim`       Kalker's simplified theory, 1982
-`fastrip`       Sichani, Enblom and Berg, 2016: strip theory with FASTSIM directions
-`tangential`    one signature for all tangential theories: `creep_force`, `traction_field`
-`wheel_rail`    pose and velocity of wheelsets and rails -> wrenches and contact states, in one kernel
-==============  ===================================================================================
+================  ===================================================================================
+`types`           NamedTuples that enter kernels, columns of a contact state
+`material`        elastic constants
+`profile`         wheel and rail profiles: standard shapes (`standard_profiles`) and readers
+`profile_spline`  a profile, smoothed, as the table that kernels read
+`silhouette`      the line on which a rolled and yawed wheel can touch a prismatic rail
+`search`          all contact patches of a wheel on its rail, for a full pose of the wheelset
+`hertz`           normal contact: ellipse, pressure, approach
+`kalker`          creep coefficients of the linear theory
+`fastsim`         Kalker's simplified theory, 1982
+`fastrip`         Sichani, Enblom and Berg, 2016: strip theory with FASTSIM directions
+`tangential`      one signature for all tangential theories: `creep_force`, `traction_field`
+`wheel_rail`      pose and velocity of wheelsets and rails -> wrenches and contact states, in one kernel
+================  ===================================================================================
 """

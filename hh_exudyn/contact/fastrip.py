@@ -162,9 +162,10 @@ def _strip_force(
 ) -> tuple[float, float, float]:
     """Integral of equation 2.45 over one strip of half length 1: F_x, F_y, M/a(y), over pi/2 mu p."""
     stick = (1.0 - slip_part) ** 2
+    slipping = slip_part * (2.0 - slip_part)  # 1 - stick, exact for little slip
     return (
-        kappa * (1.0 - stick) + sum_x,
-        lambda_ - lambda_prime * stick + sum_y,
+        kappa * slipping + sum_x,
+        lambda_ - lambda_prime + lambda_prime * slipping + sum_y,
         -lambda_prime * slip_part * stick + sum_m,
     )
 
@@ -261,7 +262,7 @@ def field(
 
     Slip is that of strip theory: rigid slip less the surface's own strain, zero in stick; its direction is
     opposite to the traction. Kalker's coefficients make the two strains differ a little from the rigid slip
-    in stick, so the slip of the whole patch is scaled (by 1.00 in the median, 0.85-1.2 for nine in ten) to
+    in stick, so the slip of the whole patch is scaled (by 0.86..1.01 in nine of ten of the 185 cases) to
     make friction dissipate the power of the creepages: sum of q.s dA = F_x nu_x + F_y nu_y + M phi.
     """
     cells_y, cells_x = pressure.shape

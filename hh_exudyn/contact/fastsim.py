@@ -184,7 +184,7 @@ def field(
     The traction of a cell is the mean of its nodes'. Slip is (w - dq/dx) times one flexibility for the whole
     patch, such that friction dissipates exactly the power of the creepages: sum of q.s dA = F_x nu_x +
     F_y nu_y + M phi. (With Kalker's three flexibilities the slip of stick would not vanish under spin; in
-    steady rolling the elastic part does no net work, here exactly: the sum of q dq telescopes.)
+    steady rolling the elastic part does no net work: the sum of q dq over a strip's nodes telescopes.)
     """
     cells_y, cells_x = pressure.shape
     c11, c22, c23, _ = coefficients(a / b, poisson_ratio)
@@ -217,13 +217,17 @@ def field(
             if slips:
                 rate_x = w_x - (old_x - new_x) / step
                 rate_y = w_y - (old_y - new_y) / step
+                if mean_x * rate_x + mean_y * rate_y > 0.0:  # a cell in which the traction turns round sticks
+                    rate_x, rate_y = 0.0, 0.0
             pressure[j, i] = strip_peak * (1.0 - xi * xi)
             q_x[j, i], q_y[j, i] = mean_x, mean_y
             slip_x[j, i], slip_y[j, i] = rate_x, rate_y
             work += step * (mean_x * rate_x + mean_y * rate_y)
             power += step * (mean_x * (nu_x - phi * y) + mean_y * (nu_y + phi * x))
             old_x, old_y = new_x, new_y
-    flexibility = power / work if work < 0.0 else 0.0
+    flexibility = 1.0 / single_stiffness(stiff_x, stiff_y, stiff_phi, nu_x, nu_y, phi, math.sqrt(a * b))
+    if work < 0.0 and power < 0.0:  # a few cells under large spin may miss the sign of the power
+        flexibility = power / work
     for j in range(cells_y):
         for i in range(cells_x):
             slip_x[j, i] *= flexibility

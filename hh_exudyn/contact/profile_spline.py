@@ -16,7 +16,7 @@ from hh_exudyn.kernel import kernel
 
 MAX_SLOPE = 5.0  # |dz/dy| where tables end, 78.7 degrees: no wheel in service touches a steeper rail flank
 _RESAMPLING_STEP = 20e-6  # m, of the dense curve that is smoothed
-_RUN_OUT = 0.75e-3  # m, beyond `MAX_SLOPE` on a rail: more than the node spacing of the search
+_RUN_OUT = 0.75e-3  # m, beyond `MAX_SLOPE` on a rail: more than the spacing of flange nodes in the search
 _MIN_STEP, _MAX_STEP = 0.05e-3, 2e-3  # m
 _MAX_SMOOTHING = 5e-3  # m
 

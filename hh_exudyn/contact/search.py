@@ -40,9 +40,11 @@ CONTACT_COLUMNS = 13
 
 MAX_MINIMA = 12  # minima of one wheel that are kept; standard profiles have up to 4
 _RANGE_START, _RANGE_END = -0.035, 0.055  # m, the part of a wheel that can meet the rail head
-_NODE_SPACING = 0.5e-3  # m
+_TREAD_SPACING = 1.0e-3  # m, of the nodes that are swept; the tread's curvature changes slowly
+_FLANGE_START = 0.025  # m, from here on closer
+_FLANGE_SPACING = 0.5e-3  # m
 # A minimum with a negative gap must have nodes on both sides that are looked at. Their gaps can be as large
-# as half the change of slope per length times the spacing squared: 0.01 mm on the tread, where profiles bend
+# as half the change of slope per length times the spacing squared: 0.05 mm on the tread, where profiles bend
 # by up to 0.1/mm, and 0.9 mm on a flange touching a steep gauge corner of 8 mm radius (7/mm).
 _MARGIN = 0.2e-3  # m
 _MARGIN_PER_SLOPE = 0.7e-3  # m
@@ -99,7 +101,8 @@ def _find_minima(pair: WheelOnRail, contacts: FloatArray) -> int:
     # their divisions taken out of it, and what a distant node does not need is left for later.
     wheel, rail, side = pair.wheel, pair.rail, pair.side
     lx, ly, lz = pair.axle_x, pair.axle_y, pair.axle_z
-    stride = max(1, round(_NODE_SPACING / wheel.step))
+    tread_stride = max(1, round(_TREAD_SPACING / wheel.step))
+    flange_stride = max(1, round(_FLANGE_SPACING / wheel.step))
     first = max(0, math.ceil((_RANGE_START - wheel.start) / wheel.step))
     last = min(wheel.z.size - 2, math.floor((_RANGE_END - wheel.start) / wheel.step))
     ratio = lx * lx / (1.0 - lx * lx)
@@ -109,21 +112,27 @@ def _find_minima(pair: WheelOnRail, contacts: FloatArray) -> int:
     wheel_sixth, rail_sixth = wheel.step / 6.0, rail.step / 6.0
     rail_bend = rail.step * rail_sixth
     from_rail = side * (pair.rail_y - pair.centre_y) - rail.start
-    spacing = stride * wheel.step
+    flange_from = math.floor((_FLANGE_START - wheel.start) / wheel.step)
+    stride = 0
+    i = first
     count = 0
     saddle = 0.0  # depth of the saddle since the last minimum; 0 once the gap has opened
     before = rate_before = gap_before = math.nan  # at the previous node; NaN where its gap was large
-    for i in range(first, last + 1, stride):
-        slope = (wheel.z[i + 1] - wheel.z[i]) * per_wheel_step - wheel_sixth * (
-            2.0 * wheel.second[i] + wheel.second[i + 1]
+    while i <= last:
+        spacing = stride * wheel.step  # to the node before
+        y_wheel = wheel.start + i * wheel.step
+        node = i
+        stride = tread_stride if i < flange_from else flange_stride
+        i += stride
+        slope = (wheel.z[node + 1] - wheel.z[node]) * per_wheel_step - wheel_sixth * (
+            2.0 * wheel.second[node] + wheel.second[node + 1]
         )
         steepness = side * slope
         down = math.sqrt(1.0 - steepness * steepness * ratio) * root
         ey = down * lz - steepness * ratio * ly
         ez = -down * ly - steepness * ratio * lz
-        y_wheel = wheel.start + i * wheel.step
         t = side * (pair.distance - y_wheel)
-        radius = pair.nominal_radius - wheel.z[i]
+        radius = pair.nominal_radius - wheel.z[node]
         u = (from_rail - side * (t * ly + radius * ey)) * per_rail_step
         height = pair.centre_z + t * lz + radius * ez - pair.rail_z
         if not (u >= 0.0 and u < rail_last):
@@ -141,15 +150,18 @@ def _find_minima(pair: WheelOnRail, contacts: FloatArray) -> int:
             (1.0 - 3.0 * q * q) * rail.second[k] + (3.0 * p * p - 1.0) * rail.second[k + 1]
         )
         now = side * (ey - steepness * ly) / (ez - steepness * lz) - slope_rail
-        rate = wheel.second[i] - q * rail.second[k] - p * rail.second[k + 1]
+        rate = wheel.second[node] - q * rail.second[k] - p * rail.second[k + 1]
         if not math.isnan(before):
-            if min(gap, gap_before) > spacing * (
-                max(abs(now), abs(before)) + spacing * max(abs(rate), abs(rate_before))
-            ):
-                saddle = 0.0  # the gap is open all the way between the two nodes
+            crosses = (before < 0.0) != (now < 0.0)
+            # How far the gap may dip between the nodes; twice what a cubic would, for kinks of the curvature
+            dip = 0.25 * spacing * spacing * max(abs(rate), abs(rate_before))
+            if crosses:
+                dip += spacing * max(abs(now), abs(before))
+            if min(gap, gap_before) > dip:
+                saddle = 0.0  # the gap is open all the way
             else:
-                sharp = abs(wheel.second[i]) > _SHARP
-                if sharp or (before < 0.0) != (now < 0.0) or _turns(before, rate_before, now, rate, spacing):
+                sharp = abs(wheel.second[node]) > _SHARP
+                if sharp or crosses or _turns(before, rate_before, now, rate, spacing):
                     y = y_wheel - spacing
                     count, saddle = _add_roots(
                         pair, y, spacing, before, rate_before, now, rate, sharp, contacts, count, saddle

@@ -23,6 +23,7 @@ from hh_exudyn.kernel import kernel
 FASTSIM = 1
 FASTRIP = 2
 THEORIES: dict[str, int] = {"fastsim": FASTSIM, "fastrip": FASTRIP}
+_NO_CREEPAGE = 1e-60  # creepages below it would underflow when squared; they count as none [-]
 
 
 @dataclass(frozen=True)
@@ -113,7 +114,7 @@ def force_kernel(
     """
     if not (normal_force > 0.0 and friction > 0.0 and a > 0.0 and b > 0.0):
         return 0.0, 0.0, 0.0
-    if nu_x == 0.0 and nu_y == 0.0 and phi == 0.0:
+    if abs(nu_x) + abs(nu_y) + (a + b) * abs(phi) < _NO_CREEPAGE:
         return 0.0, 0.0, 0.0
     if theory == FASTRIP:
         return fastrip.force(
@@ -174,6 +175,8 @@ def field_kernel(
         )  # fmt: skip
         _rigid_slip(a, b, nu_x, nu_y, phi, slip_x, slip_y)
         return
+    if abs(nu_x) + abs(nu_y) + (a + b) * abs(phi) < _NO_CREEPAGE:
+        nu_x, nu_y, phi = 0.0, 0.0, 0.0
     if theory == FASTRIP:
         fastrip.field(
             a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio,

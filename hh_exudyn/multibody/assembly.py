@@ -14,6 +14,7 @@ from exudyn.itemInterface import (
 )
 
 from hh_exudyn.case import Case
+from hh_exudyn.case_tables import RIGID
 from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.contact.wheel_rail import wheel_rail_model
@@ -27,17 +28,15 @@ from hh_exudyn.multibody.model import (
     Train,
 )
 from track.flexibility import track_flexibility
-from track.rails import Rails
 from vehicles.description import AxleBoxPad, CentrePlate, Coupling, SideBearer, SpringNest, Vehicle, Wedge
 
-RIGID = "rigid"  # the case's word for track that does not move
 START_MARGIN = 1.0  # m of straight track behind the rear coupler head at the start
 
 
 def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
     """The kernel's model of a vehicle on the track of a case."""
     numbers = {body.name: i for i, body in enumerate(vehicle.bodies)}
-    rails = Rails(case.track.rail, case.track.rail, case.track.rail_inclination)
+    rails = case.track.rails
     flexible = case.track.flexibility != RIGID
     # rigid track keeps a parameter set that nothing reads: the kernel's types stay the same
     flexibility = track_flexibility(case.track.flexibility if flexible else "concrete")
@@ -91,13 +90,19 @@ def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
 def _couplings(vehicle: Vehicle, numbers: dict[str, int]) -> Couplings:
     positions = {body.name: np.array(body.position) for body in vehicle.bodies}
     packed = [_pack(coupling) for coupling in vehicle.couplings]
+    points = [np.array(coupling.point) for coupling in vehicle.couplings]
+    arms = {
+        end: [point - positions[getattr(c, end)] for point, c in zip(points, vehicle.couplings, strict=True)]
+        for end in ("body_a", "body_b")
+    }
+    parameters = [row + [0.0] * (PARAMETERS - len(row)) for _, row in packed]
     return Couplings(
         kind=np.array([kind for kind, _ in packed], dtype=np.int64),
-        body_a=np.array([numbers[coupling.body_a] for coupling in vehicle.couplings]),
-        body_b=np.array([numbers[coupling.body_b] for coupling in vehicle.couplings]),
-        point_a=np.array([np.array(c.point) - positions[c.body_a] for c in vehicle.couplings]),
-        point_b=np.array([np.array(c.point) - positions[c.body_b] for c in vehicle.couplings]),
-        parameters=np.array([row + [0.0] * (PARAMETERS - len(row)) for _, row in packed]),
+        body_a=np.array([numbers[coupling.body_a] for coupling in vehicle.couplings], dtype=np.int64),
+        body_b=np.array([numbers[coupling.body_b] for coupling in vehicle.couplings], dtype=np.int64),
+        point_a=np.array(arms["body_a"]).reshape(-1, 3),  # a vehicle may have no couplings at all
+        point_b=np.array(arms["body_b"]).reshape(-1, 3),
+        parameters=np.array(parameters).reshape(-1, PARAMETERS),
     )
 
 

@@ -8,6 +8,8 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
+import exudyn as exu
+
 from hh_exudyn.case import Case
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.log.recorder import Recorder
@@ -145,6 +147,8 @@ class _Integration:
         if threading.current_thread() is threading.main_thread():
             previous = signal.signal(signal.SIGINT, self._interrupt)
         start = clock.perf_counter()
+        # Exudyn warns that user functions allocate memory, which a Python function cannot avoid
+        exu.config.suppressWarnings = True
         try:
             mbs.SolveDynamic(settings, showHints=False)
         except Exception as error:
@@ -152,6 +156,7 @@ class _Integration:
             self._error = self._error or error
         finally:
             wall = clock.perf_counter() - start
+            exu.config.suppressWarnings = False
             if previous is not None:
                 signal.signal(signal.SIGINT, previous)
             self.times = {

@@ -18,7 +18,13 @@ SEARCHES = 1000
 
 @kernel
 def _search_many(
-    wheel: SplineTable, rail: SplineTable, rail_y: float, position: Any, axle: Any, amplitude: float, rows: Any
+    wheel: SplineTable,
+    rail: SplineTable,
+    rail_y: float,
+    position: Any,
+    axle: Any,
+    amplitude: float,
+    rows: Any,
 ) -> int:
     """Searches with the wheelset moving from side to side, as many as `SEARCHES`."""
     found = 0
@@ -30,10 +36,10 @@ def _search_many(
     return found
 
 
-@pytest.mark.parametrize(("centre", "amplitude"), [(-0.003, 0.002), (0.0, 0.006), (0.0066, 0.0001)])
+@pytest.mark.parametrize(("centre", "amplitude"), [(-0.003, 0.002), (0.0, 0.006)])
 def test_search_per_1000_wheels(benchmark: Any, centre: float, amplitude: float) -> None:
     wheel, rail = wheel_profile("S1002"), rail_profile("60E1")
-    position, axle = np.array([0.0, centre, 0.46 - 80e-6]), np.array([-3e-3, np.sqrt(1 - 9e-6), 0.0])
+    position, axle = np.array([0.0, centre, 0.46 - 250e-6]), np.array([-3e-3, np.sqrt(1 - 9e-6), 0.0])
     tables = spline_table(wheel), spline_table(rail)
     rows = np.zeros((MAX_MINIMA, CONTACT_COLUMNS))
     rail_y = 0.7175 + gauge_point(rail)
@@ -46,7 +52,7 @@ def test_four_wheelsets(benchmark: Any, theory: str) -> None:
     wheel, rail = wheel_profile("S1002"), rail_profile("60E1")
     model = wheel_rail_model(wheel, wheel, rail, rail, nominal_radius=0.46, theory=theory)
     n = 4
-    position = np.tile([0.0, 0.0, 0.46 - 80e-6], (n, 1))
+    position = np.tile([0.0, 0.0, 0.46 - 250e-6], (n, 1))
     position[:, 1] = [-0.002, -0.001, 0.0, 0.001]
     axle = np.tile([0.0, 1.0, 0.0], (n, 1))
     velocity = np.tile([20.0, 0.01, 0.0], (n, 1))

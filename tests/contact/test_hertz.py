@@ -12,6 +12,7 @@ from scipy.special import ellipe, ellipkm1
 from hh_exudyn.contact.hertz import hertz_patch, normal_contact
 from hh_exudyn.contact.material import STEEL, Material
 
+# E* of two equal bodies: 1/E* = 2 (1 - nu^2)/E
 MODULUS = STEEL.shear_modulus / (1.0 - STEEL.poisson_ratio)
 CURVATURES = st.floats(0.05, 500.0)
 FORCES = st.floats(1.0, 1e6)
@@ -37,9 +38,7 @@ def test_the_ratio_of_the_axes_solves_the_elliptic_equation(ratio: float) -> Non
 def test_a_sphere_on_a_plane_has_the_closed_solution() -> None:
     radius, force = 0.46, 1e5
     patch = hertz_patch(force, 0.5 / radius, 0.5 / radius)
-    a = (0.75 * force * radius / MODULUS * 2.0) ** (1.0 / 3.0)  # two equal bodies: E* = MODULUS / 2
-    a /= 2.0 ** (1.0 / 3.0)
-    a = (3.0 * force * radius / (4.0 * (MODULUS))) ** (1.0 / 3.0)
+    a = (0.75 * force * radius / MODULUS) ** (1.0 / 3.0)  # Johnson 1985, equation 4.22
     assert patch.a == pytest.approx(a, rel=1e-9)
     assert patch.b == pytest.approx(a, rel=1e-9)
     assert patch.approach == pytest.approx(a * a / radius, rel=1e-9)

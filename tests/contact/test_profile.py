@@ -106,12 +106,16 @@ def test_inclined_rails_lean_inwards(name: str, inclination: float) -> None:
     assert gauge_point(rail) > 30 * MM
 
 
-@pytest.mark.parametrize("profile", [wheel_profile("S1002"), *(rail_profile(n, 1 / 30) for n in RAIL_PROFILES)])
+@pytest.mark.parametrize(
+    "profile", [wheel_profile("S1002"), *(rail_profile(n, 1 / 30) for n in RAIL_PROFILES)]
+)
 @pytest.mark.parametrize("smoothing", [0.0, 0.5e-3])
 def test_table_stays_with_the_profile(profile: Profile, smoothing: float) -> None:
     table = spline_table(profile, smoothing=smoothing)
     exact = CubicSpline(profile.y, profile.z)
-    y = np.arange(table.start + 0.813 * MM, table.start + (len(table.z) - 1) * table.step - 0.8 * MM, 0.03 * MM)
+    y = np.arange(
+        table.start + 0.813 * MM, table.start + (len(table.z) - 1) * table.step - 0.8 * MM, 0.03 * MM
+    )
     z, slope, second = np.array([spline_evaluate(table, value) for value in y]).T
     assert np.abs(z - exact(y)).max() < 0.02 * MM
     # The spline's own derivatives, by differences
@@ -148,7 +152,9 @@ def test_table_ends() -> None:
 
 def written(path: Path, profile: Profile, edit: dict[int, str] | None = None) -> Path:
     """A profile as text in mm; `edit` replaces lines, numbered from 1."""
-    lines = ["# y z [mm]"] + [f"{1e3 * y:.6f} {1e3 * z:.6f}" for y, z in zip(profile.y, profile.z, strict=True)]
+    lines = ["# y z [mm]"] + [
+        f"{1e3 * y:.6f} {1e3 * z:.6f}" for y, z in zip(profile.y, profile.z, strict=True)
+    ]
     for number, text in (edit or {}).items():
         lines[number - 1] = text
     path.write_text("\n".join(lines))
@@ -195,7 +201,7 @@ def test_readers_refuse(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="2 points, at least 20"):
         read_rail_profile(few)
     rail = written(tmp_path / "r.txt", thinned(rail_profile("60E1")))
-    with pytest.raises(ValueError, match="field side|no flange"):
+    with pytest.raises(ValueError, match=r"on the field side"):
         read_wheel_profile(rail)
     wheel, rail_60 = wheel_profile("S1002"), rail_profile("60E1")
     for profile, keep, message in (

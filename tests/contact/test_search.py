@@ -96,7 +96,9 @@ def least_gap_in_space(pair: Pair, y: float, z: float, l_vector: np.ndarray) -> 
         (0.0085, -0.025, 0.0),
     ],
 )
-def test_deepest_contact_is_the_minimum_distance_in_space(side: float, y: float, yaw: float, roll: float) -> None:
+def test_deepest_contact_is_the_minimum_distance_in_space(
+    side: float, y: float, yaw: float, roll: float
+) -> None:
     pair = Pair(side=side)
     z = pair.touching_height(side * y, yaw, roll) - 100e-6
     # The deepest vertically is what the brute force finds; take the contact that is
@@ -138,7 +140,9 @@ def test_patches_are_ordered_and_curvature_is_that_of_the_arcs() -> None:
 def test_several_contacts_of_one_wheel(inclination: float, most: int) -> None:
     """Near the flange tread and flange touch at once; on 1:20 also the gauge corner."""
     pair = Pair("60E1", inclination)
-    counts = [len(pair.contacts(y, pair.touching_height(y) - 60e-6)) for y in np.arange(0.0045, 0.0068, 20e-6)]
+    counts = [
+        len(pair.contacts(y, pair.touching_height(y) - 60e-6)) for y in np.arange(0.0045, 0.0068, 20e-6)
+    ]
     assert max(counts) >= most
     assert min(counts) >= 1
 

@@ -31,7 +31,7 @@ MODEL = model()
 class State:
     """Arrays of n wheelsets as the kernel takes them, at rest, and what it returned."""
 
-    def __init__(self, n: int = 1, height: float = R0 - 60e-6) -> None:
+    def __init__(self, n: int = 1, height: float = R0 - 250e-6) -> None:
         self.position = np.tile([0.0, 0.0, height], (n, 1))
         self.axle = np.tile([0.0, 1.0, 0.0], (n, 1))
         self.velocity = np.zeros((n, 3))
@@ -67,7 +67,7 @@ class State:
 def random_state(n: int, seed: int) -> State:
     rng = np.random.default_rng(seed)
     state = State(n)
-    state.position += rng.uniform(-1, 1, (n, 3)) * [0.0, 6e-3, 30e-6]
+    state.position += rng.uniform(-1, 1, (n, 3)) * [0.0, 5e-3, 50e-6]
     for i in range(n):
         state.point(rng.uniform(-0.02, 0.02), rng.uniform(-1, 1) * 1e-4, i)
         state.roll_on(rng.uniform(5, 30), rng.uniform(-0.1, 0.1), i=i)
@@ -98,9 +98,7 @@ def test_mirrored_states_give_mirrored_forces() -> None:
     assert state.solve(damped).status == mirrored.solve(damped).status == 0
     np.testing.assert_allclose(mirrored.wrench[:, :3], state.wrench[:, :3] * flip, rtol=1e-9, atol=1e-6)
     np.testing.assert_allclose(mirrored.wrench[:, 3:], state.wrench[:, 3:] * axial, rtol=1e-9, atol=1e-6)
-    np.testing.assert_allclose(
-        mirrored.rail_force, state.rail_force[:, ::-1] * [-1, 1], rtol=1e-9, atol=1e-6
-    )
+    np.testing.assert_allclose(mirrored.rail_force, state.rail_force[:, ::-1] * [-1, 1], rtol=1e-9, atol=1e-6)
     odd = [Patch.NU_Y, Patch.PHI, Patch.FORCE_Y, Patch.MOMENT_Z]
     swapped = state.patches[:, ::-1].copy()
     swapped[..., odd] *= -1
@@ -126,7 +124,9 @@ def test_static_normal_force_is_hertz(y: float) -> None:
     angle = math.atan(-rail_slope)
     assert row[Patch.CONTACT_ANGLE] == pytest.approx(angle, abs=1e-9)
     lateral = 0.5 * (wheel_second - rail_second) / (1 + rail_slope**2) ** 1.5
-    patch = hertz_patch(row[Patch.NORMAL_FORCE], 0.5 * math.cos(angle) / row[Patch.ROLLING_RADIUS], lateral, STEEL)
+    patch = hertz_patch(
+        row[Patch.NORMAL_FORCE], 0.5 * math.cos(angle) / row[Patch.ROLLING_RADIUS], lateral, STEEL
+    )
     assert row[Patch.APPROACH] == pytest.approx(50e-6, rel=1e-6)
     assert patch.approach == pytest.approx(50e-6, rel=1e-4)
     assert [patch.a, patch.b] == pytest.approx([row[Patch.A], row[Patch.B]], rel=1e-4)
@@ -154,7 +154,11 @@ def test_creepages_are_the_small_angle_formulas() -> None:
         half = 0.75 - row[Patch.Y_WHEEL]
         # equations.md 2.12-2.14; their errors are products of two small quantities
         assert row[Patch.NU_X] == pytest.approx(1 - r / radius - sign * yaw_rate * half / speed, abs=2e-7)
-        assert row[Patch.NU_Y] == pytest.approx((y_dot / speed - yaw) / math.cos(angle), abs=1e-6)
+        # 2.13 has y_dot over the cosine, for a wheel that climbs as it moves; here it keeps its height.
+        lateral = y_dot / speed * math.cos(angle) - yaw / math.cos(angle)
+        assert row[Patch.NU_Y] == pytest.approx(
+            lateral, abs=5e-7
+        )  # yaw times the longitudinal creepage: 3e-7
         spin = yaw_rate * math.cos(angle) / speed - sign * math.sin(angle) / radius
         assert row[Patch.PHI] == pytest.approx(spin, abs=1e-6)
 
@@ -205,7 +209,9 @@ def test_power_balance_and_geometry_of_the_wrench() -> None:
 
 
 def test_damping_acts_on_approach_and_never_pulls() -> None:
-    rest, moving = State().solve(), State()
+    rest, moving = State(), State()
+    rest.friction[:] = moving.friction[:] = 1e-6  # the normal forces alone
+    rest.solve()
     moving.velocity[0, 2] = -0.05
     damped = model(damping=4.0)
     factor = moving.solve(damped).wrench[0, 2] / rest.wrench[0, 2]
@@ -217,7 +223,7 @@ def test_damping_acts_on_approach_and_never_pulls() -> None:
 
 
 def test_two_points_near_the_flange_and_conformal_contact_is_counted() -> None:
-    state = State(height=R0 - 50e-6)
+    state = State()
     counts, floored = [], 0
     for y in np.arange(0.0, 0.0068, 2e-5):
         state.position[0, 1] = y
@@ -265,10 +271,7 @@ def test_model_checks_its_input() -> None:
 
 # --- The Manchester contact benchmark A-2.2 -------------------------------------------------------------
 
-ROWS = list(
-    csv.DictReader(line for line in REFERENCE.read_text().splitlines() if not line.startswith("#"))
-)
-JUMP = {("right", y) for y in ("5", "5.0", "5.5", "6", "6.0", "6.5")}  # tread to flange
+ROWS = list(csv.DictReader(line for line in REFERENCE.read_text().splitlines() if not line.startswith("#")))
 
 
 def benchmark(row: dict[str, str], contact_model: WheelRailModel) -> tuple[np.ndarray, float]:
@@ -316,21 +319,25 @@ def compare(row: dict[str, str], rows: np.ndarray, y_top: float, *, creep: bool)
         assert one[Patch.X_SHIFT] == pytest.approx(float(row["x_tr"]) * 1e-3, abs=0.1e-3)
 
 
-def top_of(rail: Profile) -> float:
-    """The reference measures y from the highest point, here on the crown's 300 mm arc inclined 1:40."""
-    return -0.3 * math.sin(math.atan(1 / 40)) if rail.name.startswith("60E1") else 0.0
+# The reference measures y from the rail's highest point, here on the crown's 300 mm arc inclined 1:40
+TOP_60E1 = -0.3 * math.sin(math.atan(1 / 40))
+
+# Left out: the row at the jump from tread to flange (it hangs on 0.03 mm of the rail's shape, see the tests
+# with the benchmark's own rail), and 60 kN on the conformal part of the tread, where the reference's patch is
+# 20 mm wide and far from elliptic (contact 1.8 mm off).
+WITH_60E1 = [
+    row
+    for row in ROWS
+    if (row["load"] == "60kN" and float(row["y_ws"]) >= 2.0)
+    or (row["load"] == "10kN" and (row["side"], float(row["y_ws"])) != ("right", 5.0))
+]
 
 
-@pytest.mark.parametrize("row", ROWS, ids=lambda row: f"{row['load']}-{row['side']}-{row['y_ws']}mm")
+@pytest.mark.parametrize("row", WITH_60E1, ids=lambda row: f"{row['load']}-{row['side']}-{row['y_ws']}mm")
 def test_manchester_benchmark_with_60e1(row: dict[str, str]) -> None:
-    y, load = float(row["y_ws"]), row["load"]
-    if (row["side"], row["y_ws"]) in JUMP:
-        pytest.skip("row at the jump from tread to flange: hangs on 0.03 mm of the rail's shape, see below")
-    if load == "60kN" and y < 2.0:
-        pytest.skip("conformal tread: 60 kN on an ellipse 20 mm wide is far from elliptic (1.8 mm off)")
     rows, _ = benchmark(row, MODEL)
     # At y = 0 and 1 mm the patch spans 16 and 8 mm of changing curvature: geometry only.
-    compare(row, rows, top_of(rail_profile("60E1", 1 / 40)), creep=y > 1.5)
+    compare(row, rows, TOP_60E1, creep=float(row["y_ws"]) > 1.5)
 
 
 @pytest.fixture(scope="module")

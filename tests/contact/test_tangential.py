@@ -1,0 +1,161 @@
+"""What holds for every theory of the tangential contact: symmetry, limits, energy, borders."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from hh_exudyn.contact.material import STEEL
+from hh_exudyn.contact.tangential import (
+    THEORIES,
+    cell_areas,
+    creep_force,
+    field_kernel,
+    force_kernel,
+    traction_field,
+)
+
+A, B, N, MU = 7.5e-3, 2.9e-3, 142668.0, 0.37
+theories = pytest.mark.parametrize("theory", list(THEORIES))
+NAMES = st.sampled_from(list(THEORIES))
+LOG_RATIO = st.floats(-3.5, 3.5)
+CREEPAGE = st.one_of(st.floats(-0.1, 0.1), st.floats(-1e-4, 1e-4))
+SPIN = st.one_of(st.floats(-30.0, 30.0), st.just(0.0))
+
+
+@given(NAMES, LOG_RATIO, CREEPAGE, CREEPAGE, SPIN, st.integers(5, 24))
+def test_friction_limits_the_force(
+    theory: str, log_ratio: float, nu_x: float, nu_y: float, phi: float, cells: int
+) -> None:
+    a, b = 5e-3 * math.exp(0.5 * log_ratio), 5e-3 * math.exp(-0.5 * log_ratio)
+    force = creep_force(theory, a, b, N, nu_x, nu_y, phi, MU, cells=(cells, cells))
+    assert math.hypot(force.x, force.y) <= MU * N * (1.0 + 1e-9)
+    assert abs(force.moment) <= MU * N * max(a, b)
+
+
+@given(NAMES, LOG_RATIO, CREEPAGE, CREEPAGE, SPIN)
+def test_mirror(theory: str, log_ratio: float, nu_x: float, nu_y: float, phi: float) -> None:
+    a, b = 5e-3 * math.exp(0.5 * log_ratio), 5e-3 * math.exp(-0.5 * log_ratio)
+    one = creep_force(theory, a, b, N, nu_x, nu_y, phi, MU)
+    other = creep_force(theory, a, b, N, nu_x, -nu_y, -phi, MU)
+    assert (other.x, other.y, other.moment) == pytest.approx(
+        (one.x, -one.y, -one.moment), rel=1e-9, abs=1e-9 * MU * N
+    )
+
+
+@theories
+@given(nu_x=CREEPAGE, nu_y=CREEPAGE)
+def test_without_spin_the_force_opposes_the_creepage(theory: str, nu_x: float, nu_y: float) -> None:
+    force = creep_force(theory, A, B, N, nu_x, nu_y, 0.0, MU)
+    assert force.x * nu_x <= 0.0
+    assert force.y * nu_y <= 0.0
+
+
+@theories
+def test_large_creepage_is_full_friction(theory: str) -> None:
+    force = creep_force(theory, A, B, N, 3.0, 0.0, 0.0, MU)
+    assert (force.x, force.y) == pytest.approx((-MU * N, 0.0), rel=2e-3, abs=1e-6)
+
+
+@theories
+@pytest.mark.parametrize(
+    "creepage", [(3e-3, 1e-3, 0.15), (1e-4, 5e-5, 0.01), (0.01, -0.02, 3.0), (0.0, 0.0, 1.0)]
+)
+def test_the_field_adds_up_to_the_force(theory: str, creepage: tuple[float, float, float]) -> None:
+    nu_x, nu_y, phi = creepage
+    field = traction_field(theory, A, B, N, *creepage, MU)
+    areas = cell_areas(A, B, 50, 50)
+    force = creep_force(theory, A, B, N, *creepage, MU, cells=(50, 50))
+    moment = np.sum((field.x * field.q_y - field.y * field.q_x) * areas)
+    assert np.sum(areas) == pytest.approx(math.pi * A * B, rel=2e-3)
+    assert np.sum(field.pressure * areas) == pytest.approx(N, rel=2e-3)
+    assert np.sum(field.q_x * areas) == pytest.approx(force.x, abs=3e-3 * MU * N)
+    assert np.sum(field.q_y * areas) == pytest.approx(force.y, abs=3e-3 * MU * N)
+    assert moment == pytest.approx(force.moment, abs=3e-3 * MU * N * math.sqrt(A * B))
+    # steady rolling: the elastic part does no net work, so friction dissipates the power of the creepages
+    dissipated = np.sum((field.q_x * field.slip_x + field.q_y * field.slip_y) * areas)
+    force_x, force_y = np.sum(field.q_x * areas), np.sum(field.q_y * areas)
+    assert dissipated == pytest.approx(force_x * nu_x + force_y * nu_y + moment * phi, rel=1e-6)
+    power = force.x * nu_x + force.y * nu_y + force.moment * phi
+    unit = MU * N * (abs(nu_x) + abs(nu_y) + math.sqrt(A * B) * abs(phi))
+    assert dissipated == pytest.approx(power, abs=3e-3 * unit)
+
+
+@given(NAMES, LOG_RATIO, CREEPAGE, CREEPAGE, SPIN)
+def test_slip_opposes_traction_and_stick_does_not_slip(
+    theory: str, log_ratio: float, nu_x: float, nu_y: float, phi: float
+) -> None:
+    a, b = 5e-3 * math.exp(0.5 * log_ratio), 5e-3 * math.exp(-0.5 * log_ratio)
+    field = traction_field(theory, a, b, N, nu_x, nu_y, phi, MU, cells=(20, 20))
+    for values in (field.pressure, field.q_x, field.q_y, field.slip_x, field.slip_y):
+        assert np.all(np.isfinite(values))
+    traction, slip = np.hypot(field.q_x, field.q_y), np.hypot(field.slip_x, field.slip_y)
+    assert np.all(traction <= MU * field.pressure * (1.0 + 1e-9))
+    # nowhere does friction drive
+    assert np.all(field.q_x * field.slip_x + field.q_y * field.slip_y <= 1e-9 * traction * slip)
+
+
+@theories
+def test_slow_creepage_sticks_in_front(theory: str) -> None:
+    field = traction_field(theory, A, B, N, 1e-3, 0.0, 0.0, MU)
+    middle = 25
+    assert np.all(field.slip_x[middle, 40:] == 0.0)
+    assert np.all(field.slip_x[middle, :3] > 0.0)
+    assert np.all(np.diff(field.x[middle]) > 0.0)
+
+
+@theories
+def test_nothing_from_nothing(theory: str) -> None:
+    for values in (
+        (A, B, N, 0.0, 0.0, 0.0, MU),
+        (A, B, 0.0, 1e-3, 0.0, 0.0, MU),
+        (0.0, 0.0, 0.0, 1e-3, 1e-3, 0.1, MU),
+        (A, B, N, 1e-3, 1e-3, 0.1, 0.0),
+    ):
+        force = creep_force(theory, *values)
+        assert (force.x, force.y, force.moment) == (0.0, 0.0, 0.0)
+        field = traction_field(theory, *values, cells=(8, 8))
+        assert not field.q_x.any()
+        assert not field.q_y.any()
+        assert np.all(np.isfinite(field.slip_x))
+
+
+@theories
+def test_without_friction_the_patch_slips_rigidly(theory: str) -> None:
+    field = traction_field(theory, A, B, N, 1e-3, 2e-3, 0.1, 0.0, cells=(8, 8))
+    assert np.sum(field.pressure * cell_areas(A, B, 8, 8)) == pytest.approx(N, rel=0.03)
+    assert field.slip_x == pytest.approx(1e-3 - 0.1 * field.y)
+    assert field.slip_y == pytest.approx(2e-3 + 0.1 * field.x)
+
+
+def test_an_unknown_theory_names_the_known_ones() -> None:
+    with pytest.raises(ValueError, match="fastsim, fastrip"):
+        creep_force("polach", A, B, N, 0.0, 0.0, 0.0, MU)
+    assert all(math.isnan(value) for value in force_kernel(99, A, B, N, 1e-3, 0.0, 0.0, MU, 82e9, 0.28, 5, 5))
+    arrays = [np.zeros((3, 4)) for _ in range(5)]
+    field_kernel(99, A, B, N, 1e-3, 0.0, 0.0, MU, 82e9, 0.28, *arrays)
+    assert all(np.all(np.isnan(array)) for array in arrays)
+
+
+@pytest.mark.parametrize(
+    ("change", "name"),
+    [
+        ({"a": 0.0}, "a = 0.0 m"),
+        ({"b": -1e-3}, "b = -0.001 m"),
+        ({"normal_force": -1.0}, "normal_force"),
+        ({"friction": -0.1}, "friction"),
+        ({"nu_x": math.nan}, "nu_x"),
+        ({"phi": math.inf}, "phi"),
+        ({"cells": (0, 5)}, "cells"),
+    ],
+)
+def test_bad_input_is_named(change: dict[str, object], name: str) -> None:
+    values: dict[str, object] = {
+        "a": A, "b": B, "normal_force": N, "nu_x": 0.0, "nu_y": 0.0, "phi": 0.0, "friction": MU,
+    }  # fmt: skip
+    with pytest.raises(ValueError, match=name):
+        creep_force("fastrip", **(values | change))
+    with pytest.raises(ValueError, match=name):
+        traction_field("fastrip", **(values | change), material=STEEL)
