@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import least_squares
+from scipy.optimize import brentq, least_squares
 
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.conventions import GRAVITY
@@ -22,8 +22,8 @@ from vehicles.description import Vehicle
 FORCE_TOLERANCE = 5.0  # N or N m, of any body, on weights of 1e4..1e6 N
 _LENGTH_SCALE = 1e-3  # of the unknowns, m and rad
 _FORCE_SCALE = 1e3  # residuals are in thousandths of the weight
-_LOWERED = (0.05, 0.015, 0.08, 0.03, 0.12)  # m, first guesses of the deflection of the load springs
-_CONTACT_GUESS = 0.1e-3  # m, approach under some 100 kN
+_SPRING_GUESS = 0.03  # m, first guess of the deflection of the load springs, between empty and loaded
+_HEIGHT_RANGE = 5e-3  # m, in which the wheels meet the rails: profiles and track height differ by less
 _DEFLECTION_GUESS = 2e-3  # m, of the track under a loaded wheel
 
 
@@ -34,12 +34,10 @@ class Equilibrium(NamedTuple):
     v: FloatArray  # velocities
     sliders: FloatArray  # (couplings, SLIDERS) friction elements without vertical wedge friction
     train_lag: float  # m that the vehicle stays behind its train: coupler force over stiffness
-    residual: float  # largest generalized force left over [N, N m]
-    where: str  # the body it acts on
 
 
 class NoEquilibrium(RuntimeError):
-    """No static equilibrium was found; the text says how far off the best attempt was, and where."""
+    """No static equilibrium was found; the text says what force remains, and where."""
 
 
 def equilibrium(vehicle: Vehicle, alignment: Alignment, model: SystemModel, work: Workspace) -> Equilibrium:
@@ -68,33 +66,18 @@ def equilibrium(vehicle: Vehicle, alignment: Alignment, model: SystemModel, work
     for place, wheelset in enumerate(vehicle.wheelsets):
         work.arc_length[place] = middle + vehicle.body(wheelset.body).position[0]
     work.arc_length[len(vehicle.wheelsets) :] = model.train.start
-    best = _solve(vehicle, model, work, middle, _LOWERED[0])
-    for lowered in _LOWERED[1:]:
-        if best.residual <= FORCE_TOLERANCE:
-            break
-        attempt = _solve(vehicle, model, work, middle, lowered)
-        best = attempt if attempt.residual < best.residual else best
-    if not best.residual <= FORCE_TOLERANCE:
-        raise NoEquilibrium(
-            f"no equilibrium for {vehicle.name}: {best.residual:.3g} N (or N m) remains at {best.where}, "
-            f"allowed {FORCE_TOLERANCE:g}"
-        )
-    return best
-
-
-def _solve(
-    vehicle: Vehicle, model: SystemModel, work: Workspace, middle: float, lowered: float
-) -> Equilibrium:
-    """One attempt from the drawing with the sprung bodies lowered by `lowered` [m]."""
-    q, v = _guess(vehicle, model, middle, lowered)
+    q, v = _guess(vehicle, model, work, middle)
     sliders = np.zeros_like(work.new_sliders)
     spins = [BODY_COORDINATES * int(i) + 4 for i in model.wheelsets]
     place = BODY_COORDINATES * model.train.body
     weight = float(model.mass.sum()) * GRAVITY
     start = model.train.start.copy()
+    guess = q.copy()
+    guess[spins] = v[spins]
+    guess[place] = 0.0
 
-    def forces(scaled: FloatArray) -> FloatArray:
-        unknown = scaled * _LENGTH_SCALE
+    def forces(change: FloatArray) -> FloatArray:
+        unknown = guess + change * _LENGTH_SCALE
         q[:] = unknown
         q[spins] = 0.0
         v[spins] = unknown[spins]
@@ -103,41 +86,51 @@ def _solve(
         evaluate(model, work, sliders, q, v, 0.0, True)
         return work.generalized_force / weight * _FORCE_SCALE
 
-    unknown = q.copy()
-    unknown[spins] = v[spins]
-    unknown[place] = 0.0
-    solution = least_squares(forces, unknown / _LENGTH_SCALE, method="lm", xtol=1e-14, ftol=1e-14, gtol=1e-14)
+    # from zero change the trust region begins at one length scale: no step loses a one-sided contact
+    solution = least_squares(forces, np.zeros_like(guess), method="trf", xtol=1e-13, ftol=1e-13, gtol=1e-13)
     force = np.abs(forces(solution.x)) * weight / _FORCE_SCALE
+    lag = float(model.train.start[0] - start[0])
     model.train.start[:] = start
     worst = int(np.argmax(force))
     body = worst // BODY_COORDINATES
-    return Equilibrium(
-        q.copy(),
-        v.copy(),
-        work.new_sliders.copy(),
-        float(solution.x[place] * _LENGTH_SCALE),
-        float(force[worst]),
-        vehicle.bodies[body].name if body < len(vehicle.bodies) else "the track",
-    )
+    if not force[worst] <= FORCE_TOLERANCE:
+        where = vehicle.bodies[body].name if body < len(vehicle.bodies) else "the track"
+        raise NoEquilibrium(
+            f"no equilibrium for {vehicle.name}: {force[worst]:.3g} N (or N m) remains at {where}, allowed "
+            f"{FORCE_TOLERANCE:g}"
+        )
+    return Equilibrium(q.copy(), v.copy(), work.new_sliders.copy(), lag)
 
 
 def _guess(
-    vehicle: Vehicle, model: SystemModel, middle: float, sprung: float
+    vehicle: Vehicle, model: SystemModel, work: Workspace, middle: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Drawing lowered by rough deflections, all at the train's speed."""
+    """Drawing lowered by rough deflections until the wheels carry the weight, all at the train's speed."""
     q = np.zeros(coordinates(model))
     v = np.zeros(coordinates(model))
     track = _DEFLECTION_GUESS if model.flexible else 0.0
-    lowered = {"wheelset": _CONTACT_GUESS, "side_frame": 1e-3, "bolster": sprung, "car_body": sprung}
+    sunk = {"wheelset": 0.0, "side_frame": 1e-3, "bolster": _SPRING_GUESS, "car_body": _SPRING_GUESS}
     for i, body in enumerate(vehicle.bodies):
         k = BODY_COORDINATES * i
         q[k : k + 3] = body.position
         q[k] += middle
-        q[k + 2] -= lowered[body.kind] + track
+        q[k + 2] -= sunk[body.kind] + track
         v[k] = model.train.speed
     for wheelset, i in zip(vehicle.wheelsets, model.wheelsets, strict=True):
         v[BODY_COORDINATES * int(i) + 4] = model.train.speed / wheelset.radius
-    for k in range(BODY_COORDINATES * len(vehicle.bodies), q.size):
-        vertical = (k - BODY_COORDINATES * len(vehicle.bodies)) % TRACK_COORDINATES in (1, 3, 5)
+    bodies = BODY_COORDINATES * len(vehicle.bodies)
+    for k in range(bodies, q.size):
+        vertical = (k - bodies) % TRACK_COORDINATES in (1, 3, 5)
         q[k] = -track if vertical else 0.0
+    heights = np.arange(2, bodies, BODY_COORDINATES)
+    sliders = np.zeros_like(work.new_sliders)
+
+    def lack_of_load(height: float) -> float:
+        moved = q.copy()
+        moved[heights] += height
+        evaluate(model, work, sliders, moved, v, 0.0, True)
+        return float(model.mass.sum()) * GRAVITY + float(work.rail_force[:, :, 1].sum())
+
+    # too high, the wheels carry nothing; as deep as the search range they carry more than any vehicle
+    q[heights] += brentq(lack_of_load, -_HEIGHT_RANGE, _HEIGHT_RANGE, xtol=1e-7)
     return q, v

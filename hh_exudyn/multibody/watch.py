@@ -12,6 +12,7 @@ from hh_exudyn.multibody.model import SystemModel, Workspace
 
 LIFT_OFF_TIME = 0.1  # s without contact of a wheel that counts as a derailment
 FLANGE_TIP_MARGIN = 3e-3  # m above the flange tip: a contact so deep means that the flange climbs the rail
+FLANGE_FROM = 0.02  # m towards the track centre on the wheel profile: nothing before it is flange
 LARGEST_LATERAL = 0.08  # m of a wheelset from the track centre: wheel and rail have parted
 SMALLEST_ALTERNATION = 5e-6  # lateral creepage that changes less than this to and fro is round-off
 ALTERNATIONS = 40  # steps in a row in which the creepage goes to and fro: the integration is unstable
@@ -68,8 +69,10 @@ def watch_state(model: SystemModel) -> WatchState:
 
 
 def _flange_limit(table: SplineTable) -> float:
-    deep = np.flatnonzero(table.z < table.z.min() + FLANGE_TIP_MARGIN)
-    return float(table.start + table.step * deep[0])
+    y = table.start + table.step * np.arange(table.z.size)
+    flange = y > FLANGE_FROM
+    deep = flange & (table.z < table.z[flange].min() + FLANGE_TIP_MARGIN)
+    return float(y[deep][0])
 
 
 @kernel

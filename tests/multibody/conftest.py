@@ -1,0 +1,37 @@
+"""Runs that several tests look at, made once a session."""
+
+from importlib.resources import files
+from pathlib import Path
+
+import pytest
+
+from hh_exudyn.case import Case
+from hh_exudyn.log.store import Run
+from hh_exudyn.multibody.simulate import simulate
+
+
+@pytest.fixture(scope="session")
+def demo() -> Case:
+    return Case.from_toml(files("hh_exudyn").joinpath("data/demo.toml").read_text(encoding="utf-8"))
+
+
+@pytest.fixture(scope="session")
+def demo_run(demo: Case, tmp_path_factory: pytest.TempPathFactory) -> Run:
+    return simulate(demo, tmp_path_factory.mktemp("runs") / "demo")
+
+
+@pytest.fixture(scope="session")
+def short_case(demo: Case) -> Case:
+    """The first second of a tighter entry: 15 m straight, 15 m transition, 20 m curve."""
+    sections = [
+        {"kind": "straight", "length_m": 15.0, "gauge_mm": 1445.0},
+        {"kind": "transition", "length_m": 15.0},
+        {"kind": "curve", "length_m": 20.0, "radius_m": 450.0, "hand": "left", "cant_mm": 65.0,
+         "gauge_mm": 1445.0},
+    ]  # fmt: skip
+    return demo.with_changes(track={"sections": sections})
+
+
+@pytest.fixture(scope="session")
+def runs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("short_runs")
