@@ -37,7 +37,8 @@ def wear_figure(
 ) -> Figure:
     """Wear depth over the wheel profile, one panel per wheel.
 
-    The largest depths of tread and flange are written in, since flange wear dwarfs that of the tread.
+    Where flange wear dwarfs that of the tread it is drawn smaller, by the factor written in; the largest
+    depths of both are written in.
 
     Parameters
     ----------
@@ -54,12 +55,25 @@ def wear_figure(
     y = report.surface.grid.centres
     depths = {index: report.surface.depth_per_km[index] * 1e6 for index in panels}  # mm per 1000 km
     root = _flange_root(profile, report.flange_angle)
-    _finish(panels, profile, root, max(float(depth.max()) for depth in depths.values()))
+    tread, flange = y < root, y >= root
+    highest = {
+        place: max(float(depth[where].max()) for depth in depths.values())
+        for place, where in (("tread", tread), ("flange", flange))
+    }
+    # the same room for both: a dry flange root wears hundreds of times faster than the tread
+    shrunk = max(1.0, highest["flange"] / highest["tread"]) if highest["tread"] > 0.0 else 1.0
+    _finish(panels, profile, root, max(highest["tread"], highest["flange"] / shrunk))
     for index, axes in panels.items():
-        axes.fill_between(y * 1e3, depths[index], step="mid", color=_TREAD_COLOUR, linewidth=0)
-        for place, where, across in (("tread", y < root, 0.02), ("flange", y >= root, 0.985)):
-            largest = float(depths[index][where].max())
+        for place, where, across, colour, scale in (
+            ("tread", tread, 0.02, _TREAD_COLOUR, 1.0),
+            ("flange", flange, 0.985, _FLANGE_COLOUR, shrunk),
+        ):
+            depth = np.where(where, depths[index], 0.0)
+            axes.fill_between(y * 1e3, depth / scale, step="mid", color=colour, linewidth=0)
+            largest = float(depth.max())
             text = f"{place}: max {largest:.3g}" if largest > 0.0 else place
+            if largest > 0.0 and scale > 1.0:
+                text += f", drawn 1:{scale:.0f}"
             _corner_text(axes, text, across)
     return figure
 

@@ -147,8 +147,9 @@ class _Integration:
         if threading.current_thread() is threading.main_thread():
             previous = signal.signal(signal.SIGINT, self._interrupt)
         start = clock.perf_counter()
-        # Exudyn warns that user functions allocate memory, which a Python function cannot avoid
-        exu.config.suppressWarnings = True
+        # Exudyn prints that user functions allocate memory, which a Python function cannot avoid; what goes
+        # wrong comes as an exception
+        exu.config.printToConsole = False
         try:
             mbs.SolveDynamic(settings, showHints=False)
         except Exception as error:
@@ -156,7 +157,7 @@ class _Integration:
             self._error = self._error or error
         finally:
             wall = clock.perf_counter() - start
-            exu.config.suppressWarnings = False
+            exu.config.printToConsole = True
             if previous is not None:
                 signal.signal(signal.SIGINT, previous)
             self.times = {
