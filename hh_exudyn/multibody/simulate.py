@@ -12,13 +12,14 @@ import exudyn as exu
 
 from hh_exudyn.case import Case
 from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.kernel import Bundle
 from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.log.store import Run, open_run, write_case, write_status
 from hh_exudyn.multibody.assembly import assemble, explicit_settings, exudyn_system
 from hh_exudyn.multibody.equilibrium import Equilibrium, equilibrium
 from hh_exudyn.multibody.model import SystemModel, Workspace, workspace
 from hh_exudyn.multibody.recording import LogWriter
-from hh_exudyn.multibody.system import evaluate
+from hh_exudyn.multibody.system import evaluate_bundle
 from hh_exudyn.multibody.watch import REASONS, Trouble, look, watch_state
 from vehicles.catalogue import vehicle as vehicle_by_name
 from vehicles.description import Vehicle
@@ -119,6 +120,7 @@ class _Integration:
     ) -> None:
         self._model = model
         self._work = work
+        self._bundle = Bundle(model, work)
         self._state = state
         self._log = log
         self._sliders = state.sliders.copy()
@@ -182,7 +184,7 @@ class _Integration:
         q = mbs.systemData.GetODE2Coordinates()
         v = mbs.systemData.GetODE2Coordinates_t()
         kernel_start = clock.perf_counter()
-        evaluate(self._model, self._work, self._sliders, q, v, time, False)
+        evaluate_bundle(self._bundle, self._sliders, q, v, time, False)
         self._kernel_time += clock.perf_counter() - kernel_start
         if self._accepted:
             self._accepted = False

@@ -5,7 +5,7 @@ import math
 from hh_exudyn.contact.types import FloatArray, Patch
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces
 from hh_exudyn.conventions import GRAVITY
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import Bundle, kernel
 from hh_exudyn.multibody.couplings import coupling_forces
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
@@ -67,6 +67,14 @@ def evaluate(
     _contact_forces(model, work)
     _generalized_forces(model, work, q, v)
     return status
+
+
+@kernel
+def evaluate_bundle(
+    bundle: Bundle, sliders: FloatArray, q: FloatArray, v: FloatArray, time: float, settle: bool
+) -> int:
+    """`evaluate` for a bundle of model and work space: the call that is made ten thousand times a second."""
+    return evaluate(bundle.model, bundle.work, sliders, q, v, time, settle)
 
 
 @kernel
