@@ -137,20 +137,20 @@ class ContactCase(CaseTable):
     """Tangential theory, its grid, and the damping d of the normal force N (1 + d * approach rate).
 
     The default of d is assumed: at 150 kN it is a damper of 45 kN s/m, 4 % of critical for the 200 kg of a
-    rail on a contact spring of 1.7 GN/m. 15 x 15 cells give the creep force within 0.25 % of mu N in the mean.
+    rail on a contact spring of 1.7 GN/m. 15 x 15 cells give the creep force to 0.25 % of mu N in the mean.
     """
 
     theory: Literal["fastrip", "fastsim"] = "fastrip"
     cells: tuple[_Cells, _Cells] = Field(
         default=(15, 15), strict=False, json_schema_extra={"allowed": "two whole numbers from 5 to 100"}
     )
-    damping_s_per_m: float = number("s/m", 0, 20, 0.3)
+    damping_s_per_m: float = number("s/m", 0, 3, 0.3)
 
 
 class IntegrationCase(CaseTable):
     """Step of the time integration and distance in time of the logged states."""
 
-    step_ms: float = number("ms", 0.05, 1, 0.4)
+    step_ms: float = number("ms", 0.05, 0.5, 0.4)
     output_interval_ms: float = number("ms", 0.05, 1000, 4.0)
 
     @model_validator(mode="after")

@@ -171,6 +171,7 @@ def _show_run(done: "Run") -> None:
     window = steady_window(done)
     _record(done, done.directory / RECORDING)
     _print_table(_wheelset_table(wheelset_summary(done, window), window))
+    out.print("Y is positive outwards; angle of attack and lateral position are positive to the left")
     out.print(f"play it: hh-exudyn playback {done.directory}")
 
 
@@ -246,8 +247,8 @@ def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) 
 DAMAGE_COLUMNS = {  # column of the report: heading, factor, format
     "p_max_MPa": ("p_max [MPa]", 1.0, ".0f"),
     "wear_number_N": ("wear number [N]", 1.0, ".0f"),
-    "fatigue_share": ("FI>0 [%]", 100.0, ".1f"),
-    "fatigue_area_index": ("FI area [%]", 100.0, ".1f"),
+    "fatigue_share": ("FI>0 tread [%]", 100.0, ".1f"),
+    "fatigue_area_index": ("FI area tread [%]", 100.0, ".1f"),
     "wear_depth_mm_per_1000_km": ("wear depth [µm/km]", 1.0, ".3g"),  # the same unit in short
     "wear_y_mm": ("at y [mm]", 1.0, ".1f"),
     "worn_area_mm2_per_km": ("worn area [mm²/km]", 1.0, ".3g"),

@@ -1,4 +1,4 @@
-"""The one numba decorator of the project: `kernel`.
+"""The one door to numba: the decorator `kernel`, and `Bundle` for arguments of many arrays.
 
 Numba's file cache does not notice when a kernel in ANOTHER file changes, and then runs old code without
 a word. Here the cache folder is named by the hash of all sources of the four packages, so that any change

@@ -137,14 +137,14 @@ FAULTS: dict[str, tuple[dict[str, Any], list[str]]] = {  # change: parts of the 
     "one cell": ({"contact": {"cells": [20]}}, ["contact.cells[1] is missing", "from 5 to 100"]),
     "half cells": ({"contact": {"cells": [20, 20.5]}}, ["contact.cells[1] = 20.5", "whole numbers"]),
     "damping": ({"contact": {"damping_s_per_m": -1}}, ["contact.damping_s_per_m = -1 s/m", "s/m"]),
-    "step": ({"integration": {"step_ms": 2.0}}, ["integration.step_ms = 2 ms", "allowed 0.05 to 1 ms"]),
+    "step": ({"integration": {"step_ms": 2.0}}, ["integration.step_ms = 2 ms", "allowed 0.05 to 0.5 ms"]),
     "output": (
         {"integration": {"step_ms": 0.3, "output_interval_ms": 5.0}},
         ["integration: output_interval_ms = 5 ms", "whole multiples of step_ms = 0.3 ms"],
     ),
     "output below step": (
-        {"integration": {"step_ms": 1.0, "output_interval_ms": 0.5}},
-        ["output_interval_ms = 0.5 ms", "whole multiples of step_ms = 1 ms"],
+        {"integration": {"step_ms": 0.5, "output_interval_ms": 0.25}},
+        ["output_interval_ms = 0.25 ms", "whole multiples of step_ms = 0.5 ms"],
     ),
     "no sections": ({"track": {"sections": []}}, ["track.sections = []", "one or more sections"]),
     "no table": ({"track": 5}, ["track = 5", "allowed a table"]),

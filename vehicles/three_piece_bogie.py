@@ -73,10 +73,10 @@ def bogie_couplings(p: ParameterSet, number: int, middle: float, car_body: str) 
             couplings.append(
                 _pad(p, side_frame, wheelset_name(number, end), (x, lateral, p["wheelset.radius"]))
             )
-        couplings.append(_nest(p, side_frame, bolster, (middle, lateral, p["bolster.height"])))
+        couplings.append(_nest(p, side_frame, bolster, (middle, lateral, p["spring_nest.height"])))
         for end in (1, -1):
             x = middle + end * p["wedge.longitudinal_position"]
-            couplings.append(_wedge(p, side_frame, bolster, (x, lateral, p["bolster.height"]), end))
+            couplings.append(_wedge(p, side_frame, bolster, (x, lateral, p["wedge.height"]), end))
     couplings.append(_centre_plate(p, bolster, car_body, (middle, 0.0, p["centre_plate.height"])))
     for side, letter in SIDES:
         point = (middle, side * p["side_bearer.lateral_position"], p["centre_plate.height"])
@@ -116,11 +116,14 @@ def _nest(p: ParameterSet, side_frame: str, bolster: str, point: Vector) -> Spri
         second_from=p["spring_nest.second_from"],
         longitudinal_stiffness=p["spring_nest.longitudinal_stiffness"],
         lateral_stiffness=p["spring_nest.lateral_stiffness"],
-        damping=p["spring_nest.damping"],
         roll_stiffness=p["spring_nest.roll_stiffness"],
         pitch_stiffness=p["spring_nest.pitch_stiffness"],
         warp_stiffness=p["spring_nest.warp_stiffness"],
-        rotational_damping=p["spring_nest.rotational_damping"],
+        shear_damping=p["spring_nest.shear_damping"],
+        vertical_damping=p["spring_nest.vertical_damping"],
+        roll_damping=p["spring_nest.roll_damping"],
+        pitch_damping=p["spring_nest.pitch_damping"],
+        warp_damping=p["spring_nest.warp_damping"],
         stop_clearance=p["spring_nest.stop_clearance"],
         stop_stiffness=p["spring_nest.stop_stiffness"],
     )

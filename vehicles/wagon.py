@@ -12,7 +12,7 @@ def ore_wagon(name: str, p: ParameterSet, payload: float) -> Vehicle:
 
     Raises ValueError for a payload below zero or above the wagon's 102 t (thesis Table 1-1).
     """
-    most = 102_000.0  # thesis Table 1-1
+    most = p["wagon.largest_payload"]
     if not 0.0 <= payload <= most:
         raise ValueError(f"payload of {name} is {payload:.0f} kg; allowed: 0..{most:.0f} kg")
     half = p["wagon.centre_plate_distance"] / 2

@@ -14,15 +14,13 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 from scipy.special import elliprd, elliprf
 
 from hh_exudyn.contact.material import STEEL, Material
+from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import kernel
-
-FloatArray = NDArray[np.float64]
 
 _LARGEST_RATIO = 1e6  # longer over shorter semi-axis that the exact solution looks for [-]
 _TABLE_RATIO = 300.0  # the same at the end of the kernel's table, beyond which it is clamped [-]

@@ -152,6 +152,7 @@ def wheel_rail_forces(
     angular_velocity: FloatArray,
     rail_displacement: FloatArray,
     rail_velocity: FloatArray,
+    creep_lag: FloatArray,
     gauge: FloatArray,
     friction: FloatArray,
     wrench: FloatArray,
@@ -176,6 +177,9 @@ def wheel_rail_forces(
         (n, 2, 2) of the rails below: side index 0 left, 1 right; y, z in T [m].
     rail_velocity : FloatArray
         (n, 2, 2) its rate [m/s].
+    creep_lag : FloatArray
+        (n, 2, 2) what the longitudinal and lateral creepage add to the velocity of wheel against rail [m/s]:
+        zero for steady rolling, else the lag of the creep force behind that velocity. The approach has none.
     gauge : FloatArray
         (n,) track gauge there [m].
     friction : FloatArray
@@ -230,6 +234,7 @@ def wheel_rail_forces(
                     velocity[i],
                     angular_velocity[i],
                     rail_velocity[i, s],
+                    creep_lag[i, s],
                     friction[i, s],
                     wrench[i],
                     rail_force[i, s],
@@ -258,6 +263,7 @@ def _patch_forces(
     velocity: FloatArray,
     angular_velocity: FloatArray,
     rail_velocity: FloatArray,
+    creep_lag: FloatArray,
     friction: float,
     wrench: FloatArray,
     rail_force: FloatArray,
@@ -270,10 +276,10 @@ def _patch_forces(
     # Velocity of the wheel's material at the contact point relative to the rail, axes of T then of C
     px, py, pz = contact[POINT], contact[POINT + 1], contact[POINT + 2]
     wx, wy, wz = angular_velocity[0], angular_velocity[1], angular_velocity[2]
-    slip_x = velocity[0] + wy * pz - wz * py
+    slip_x = velocity[0] + wy * pz - wz * py + creep_lag[0]
     across = velocity[1] + wz * px - wx * pz - rail_velocity[0]
     upward = velocity[2] + wx * py - wy * px - rail_velocity[1]
-    slip_y = cosine * across + sine * upward
+    slip_y = cosine * (across + creep_lag[1]) + sine * upward
     approach_rate = sine * across - cosine * upward
     spin = -sine * wy + cosine * wz
 

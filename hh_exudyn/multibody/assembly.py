@@ -21,20 +21,31 @@ from hh_exudyn.contact.wheel_rail import wheel_rail_model
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
     PARAMETERS,
-    TRACK_COORDINATES,
     Couplings,
     Kind,
     SystemModel,
     Train,
+    first_track,
 )
+from track.alignment import Alignment, track_frame
 from track.flexibility import track_flexibility
 from vehicles.description import AxleBoxPad, CentrePlate, Coupling, SideBearer, SpringNest, Vehicle, Wedge
 
+SHORTEST_TRANSITION = 5e-3  # m, a wheel about to lift off has a patch too short for any time step
+LARGEST_LAG_RATE = 1.5  # of the creepage's transition per time step; RK4 is stable up to 2.78
 START_MARGIN = 1.0  # m of straight track behind the rear coupler head at the start
 
 
 def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
-    """The kernel's model of a vehicle on the track of a case."""
+    """The kernel's model of a vehicle on the track of a case.
+
+    Raises
+    ------
+    ValueError
+        The track does not begin with a straight as long as the vehicle, or its wheels differ in radius.
+    """
+    alignment = case.alignment()
+    _require_straight_start(vehicle, alignment)
     numbers = {body.name: i for i, body in enumerate(vehicle.bodies)}
     rails = case.track.rails
     flexible = case.track.flexibility != RIGID
@@ -60,12 +71,26 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
             cells=case.contact.cells,
         ),
         friction=np.full((len(vehicle.wheelsets), 2), case.friction),
-        alignment=case.alignment().table,
+        alignment=alignment.table,
         flexible=flexible,
         track=flexibility.parameters(),
-        track_mass=np.append(flexibility.masses(), [1.0, 1.0]),  # see `model` on the last two
+        shortest_transition=max(
+            SHORTEST_TRANSITION, case.speed * case.integration.step_ms * 1e-3 / LARGEST_LAG_RATE
+        ),
+        track_mass=flexibility.masses(),
         train=_train(vehicle, case, numbers),
     )
+
+
+def _require_straight_start(vehicle: Vehicle, alignment: Alignment) -> None:
+    """The equilibrium at the start is that of straight track: no heading and cant up to the front."""
+    front = start_middle(vehicle) + max(point[0] for point in vehicle.coupler.points)
+    _, _, _, heading, roll, _, _ = track_frame(alignment.table, front)
+    if abs(heading) > 1e-6 or abs(roll) > 1e-6:
+        raise ValueError(
+            f"track.sections: the first {front:.1f} m must be straight, so that vehicle {vehicle.name} can "
+            f"start on them; at s = {front:.1f} m the track has turned by {heading * 1e3:.2g} mrad"
+        )
 
 
 def start_middle(vehicle: Vehicle) -> float:
@@ -119,11 +144,14 @@ def _pack(coupling: Coupling) -> tuple[Kind, list[float]]:
                 c.second_from,
                 c.longitudinal_stiffness,
                 c.lateral_stiffness,
-                c.damping,
                 c.roll_stiffness,
                 c.pitch_stiffness,
                 c.warp_stiffness,
-                c.rotational_damping,
+                c.shear_damping,
+                c.vertical_damping,
+                c.roll_damping,
+                c.pitch_damping,
+                c.warp_damping,
                 c.stop_clearance,
                 c.stop_stiffness,
             ]
@@ -136,6 +164,7 @@ def _pack(coupling: Coupling) -> tuple[Kind, list[float]]:
                 c.friction,
                 c.stick_stiffness,
                 c.stick_damping,
+                math.tan(c.slope),
             ]
         case CentrePlate():
             return Kind.CENTRE_PLATE, [
@@ -195,21 +224,22 @@ def exudyn_system(
             )
         )
         nodes.append(node)
-    mass_diagonal = np.zeros(q.size)
+    # track masses, then the creep coordinates, whose unit masses make their forces the rates of velocity
+    others = np.ones(q.size - first_track(model))
     if model.flexible:
-        first = BODY_COORDINATES * len(model.mass)
-        count = TRACK_COORDINATES * len(model.wheelsets)
-        mass_diagonal[first:] = np.tile(model.track_mass, len(model.wheelsets))
-        nodes.append(
-            mbs.AddNode(
-                NodeGenericODE2(
-                    referenceCoordinates=[0.0] * count,
-                    initialCoordinates=list(q[first:]),
-                    initialCoordinates_t=list(v[first:]),
-                    numberOfODE2Coordinates=count,
-                )
+        masses = np.tile(model.track_mass, len(model.wheelsets))
+        others[: masses.size] = masses
+    nodes.append(
+        mbs.AddNode(
+            NodeGenericODE2(
+                referenceCoordinates=[0.0] * others.size,
+                initialCoordinates=list(q[first_track(model) :]),
+                initialCoordinates_t=list(v[first_track(model) :]),
+                numberOfODE2Coordinates=others.size,
             )
         )
+    )
+    mass_diagonal = np.concatenate([np.zeros(first_track(model)), others])
     mbs.AddObject(
         ObjectGenericODE2(
             name="forces", nodeNumbers=nodes, massMatrix=np.diag(mass_diagonal), forceUserFunction=forces
@@ -225,7 +255,7 @@ def explicit_settings(duration: float, step: float) -> Any:
 
     The end is the last whole step within the duration [s].
     """
-    settings: Any = exu.SimulationSettings()
+    settings = exu.SimulationSettings()
     steps = max(1, math.floor(duration / step + 1e-9))
     settings.timeIntegration.endTime = steps * step
     settings.timeIntegration.numberOfSteps = steps
@@ -233,7 +263,7 @@ def explicit_settings(duration: float, step: float) -> Any:
     # four evaluations a step instead of five; nothing here reads accelerations
     settings.timeIntegration.explicit.computeEndOfStepAccelerations = False
     # the mass matrix is block diagonal: the sparse solve saves a third of Exudyn's time
-    settings.linearSolverType = exu.LinearSolverType.EigenSparse
+    settings.linearSolver.solverType = exu.LinearSolverType.EigenSparse
     settings.timeIntegration.verboseMode = 0
     settings.solution.file.write = False
     settings.solution.sensors.active = False

@@ -125,20 +125,18 @@ def _nest(
     p: FloatArray, d: Triple, v: Triple, angle: Triple, turn: Triple, work: Workspace
 ) -> tuple[Triple, Triple]:
     """Two-stage springs with shear, rotational stiffness and lateral stops."""
-    damping = p[5]
-    rotational = p[9]
-    work.ledger[_DAMPER] += damping * (v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
-    work.ledger[_DAMPER] += rotational * (turn[0] ** 2 + turn[1] ** 2 + turn[2] ** 2)
+    work.ledger[_DAMPER] += p[8] * (v[0] ** 2 + v[1] ** 2) + p[9] * v[2] ** 2
+    work.ledger[_DAMPER] += p[10] * turn[0] ** 2 + p[11] * turn[1] ** 2 + p[12] * turn[2] ** 2
     return (
         (
-            -p[3] * d[0] - damping * v[0],
-            -p[4] * d[1] - damping * v[1] + clearance_stop(d[1], p[10], p[11]),
-            two_stage_spring(-d[2], p[0], p[1], p[2]) - damping * v[2],
+            -p[3] * d[0] - p[8] * v[0],
+            -p[4] * d[1] - p[8] * v[1] + clearance_stop(d[1], p[13], p[14]),
+            two_stage_spring(-d[2], p[0], p[1], p[2]) - p[9] * v[2],
         ),
         (
-            -p[6] * angle[0] - rotational * turn[0],
-            -p[7] * angle[1] - rotational * turn[1],
-            -p[8] * angle[2] - rotational * turn[2],
+            -p[5] * angle[0] - p[10] * turn[0],
+            -p[6] * angle[1] - p[11] * turn[1],
+            -p[7] * angle[2] - p[12] * turn[2],
         ),
     )
 
@@ -155,9 +153,8 @@ def _wedge(
 ) -> Triple:
     """Wedge: it goes down with the bolster, and when the bolster moves towards its column."""
     direction = p[0]
-    tan_slope = p[3]
-    compression = p[2] - d[2] + direction * d[0] / tan_slope
-    compression_rate = -v[2] + direction * v[0] / tan_slope
+    compression = p[2] - d[2] + direction * d[0] / p[7]
+    compression_rate = -v[2] + direction * v[0] / p[7]
     slider_compression = compression if settle else slider[0]
     lift, lateral, new_slider[0], new_slider[1] = wedge(
         compression,
@@ -167,13 +164,15 @@ def _wedge(
         compression_rate,
         v[1],
         p[1],
-        tan_slope,
+        p[3],
         p[4],
         p[5],
         p[6],
     )
-    work.ledger[_FRICTION] += (lift - p[1] * max(compression, 0.0)) * compression_rate - lateral * v[1]
-    return -direction * lift / tan_slope, lateral, lift
+    force = (-direction * lift / p[3], lateral, lift)
+    taken = -(force[0] * v[0] + force[1] * v[1] + force[2] * v[2])
+    work.ledger[_FRICTION] += taken - p[1] * max(compression, 0.0) * compression_rate
+    return force
 
 
 @kernel

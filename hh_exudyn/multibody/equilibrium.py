@@ -14,9 +14,10 @@ from hh_exudyn.multibody.model import (
     SystemModel,
     Workspace,
     coordinates,
+    first_creep,
+    first_track,
 )
 from hh_exudyn.multibody.system import evaluate
-from track.alignment import Alignment, track_frame
 from vehicles.description import Vehicle
 
 FORCE_TOLERANCE = 5.0  # N or N m, of any body, on weights of 1e4..1e6 N
@@ -33,36 +34,26 @@ class Equilibrium(NamedTuple):
     q: FloatArray  # coordinates
     v: FloatArray  # velocities
     sliders: FloatArray  # (couplings, SLIDERS) friction elements without vertical wedge friction
-    train_lag: float  # m that the vehicle stays behind its train: coupler force over stiffness
 
 
 class NoEquilibrium(RuntimeError):
     """No static equilibrium was found; the text says what force remains, and where."""
 
 
-def equilibrium(vehicle: Vehicle, alignment: Alignment, model: SystemModel, work: Workspace) -> Equilibrium:
+def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equilibrium:
     """Solve for poses, rolling speeds and the force of the train on straight track.
 
-    The wheels roll, so the unknown of a wheelset's pitch is its spin rate instead of its angle; the vehicle
-    stands at a given place, so the unknown of the car body's place is the train's lag. Wedges carry no
-    vertical friction, as after a long smooth ride; all other sliders rest where the drawing has them.
+    The wheels roll, so the unknowns of a wheelset's pitch and creep are rates, not places; the vehicle
+    stands at a given place, so the unknown of the car body's place is that of the train, which is left in
+    `model.train.start`. Wedges carry no vertical friction, as after a long smooth ride; all other sliders
+    rest where the drawing has them.
 
     Raises
     ------
-    ValueError
-        The track does not begin with a straight as long as the vehicle.
     NoEquilibrium
         A residual force above `FORCE_TOLERANCE` remains.
     """
     middle = start_middle(vehicle)
-    front = middle + max(point[0] for point in vehicle.coupler.points)
-    # straight so far, if heading and cant at the front are still zero
-    _, _, _, heading, roll, _, _ = track_frame(alignment.table, front)
-    if abs(heading) > 1e-6 or abs(roll) > 1e-6:
-        raise ValueError(
-            f"the track must begin with a straight of at least {front:.1f} m for vehicle {vehicle.name}: at "
-            f"s = {front:.1f} m it has turned by {heading:.2g} rad and rolled by {roll:.2g} rad"
-        )
     for place, wheelset in enumerate(vehicle.wheelsets):
         work.arc_length[place] = middle + vehicle.body(wheelset.body).position[0]
     work.arc_length[len(vehicle.wheelsets) :] = model.train.start
@@ -75,12 +66,15 @@ def equilibrium(vehicle: Vehicle, alignment: Alignment, model: SystemModel, work
     guess = q.copy()
     guess[spins] = v[spins]
     guess[place] = 0.0
+    creep = np.arange(first_creep(model), guess.size)
 
     def forces(change: FloatArray) -> FloatArray:
         unknown = guess + change * _LENGTH_SCALE
         q[:] = unknown
         q[spins] = 0.0
+        q[creep] = 0.0
         v[spins] = unknown[spins]
+        v[creep] = unknown[creep]
         q[place] = middle
         model.train.start[:] = start + unknown[place]
         evaluate(model, work, sliders, q, v, 0.0, True)
@@ -89,8 +83,6 @@ def equilibrium(vehicle: Vehicle, alignment: Alignment, model: SystemModel, work
     # from zero change the trust region begins at one length scale: no step loses a one-sided contact
     solution = least_squares(forces, np.zeros_like(guess), method="trf", xtol=1e-13, ftol=1e-13, gtol=1e-13)
     force = np.abs(forces(solution.x)) * weight / _FORCE_SCALE
-    lag = float(model.train.start[0] - start[0])
-    model.train.start[:] = start
     worst = int(np.argmax(force))
     body = worst // BODY_COORDINATES
     if not force[worst] <= FORCE_TOLERANCE:
@@ -99,7 +91,7 @@ def equilibrium(vehicle: Vehicle, alignment: Alignment, model: SystemModel, work
             f"no equilibrium for {vehicle.name}: {force[worst]:.3g} N (or N m) remains at {where}, allowed "
             f"{FORCE_TOLERANCE:g}"
         )
-    return Equilibrium(q.copy(), v.copy(), work.new_sliders.copy(), lag)
+    return Equilibrium(q.copy(), v.copy(), work.new_sliders.copy())
 
 
 def _guess(
@@ -118,11 +110,11 @@ def _guess(
         v[k] = model.train.speed
     for wheelset, i in zip(vehicle.wheelsets, model.wheelsets, strict=True):
         v[BODY_COORDINATES * int(i) + 4] = model.train.speed / wheelset.radius
-    bodies = BODY_COORDINATES * len(vehicle.bodies)
-    for k in range(bodies, q.size):
-        vertical = (k - bodies) % TRACK_COORDINATES in (1, 3, 5)
-        q[k] = -track if vertical else 0.0
-    heights = np.arange(2, bodies, BODY_COORDINATES)
+    if model.flexible:
+        for k in range(first_track(model), first_creep(model)):
+            vertical = (k - first_track(model)) % TRACK_COORDINATES in (1, 3, 5)
+            q[k] = -track if vertical else 0.0
+    heights = np.arange(2, first_track(model), BODY_COORDINATES)
     sliders = np.zeros_like(work.new_sliders)
 
     def lack_of_load(height: float) -> float:
@@ -131,6 +123,10 @@ def _guess(
         evaluate(model, work, sliders, moved, v, 0.0, True)
         return float(model.mass.sum()) * GRAVITY + float(work.rail_force[:, :, 1].sum())
 
-    # too high, the wheels carry nothing; as deep as the search range they carry more than any vehicle
+    if not lack_of_load(-_HEIGHT_RANGE) < 0.0 < lack_of_load(_HEIGHT_RANGE):
+        raise NoEquilibrium(
+            f"no equilibrium for {vehicle.name}: its wheels do not meet the rails within "
+            f"{_HEIGHT_RANGE * 1e3:g} mm of the drawing"
+        )
     q[heights] += brentq(lack_of_load, -_HEIGHT_RANGE, _HEIGHT_RANGE, xtol=1e-7)
     return q, v

@@ -1,17 +1,18 @@
 """What the force kernel of a whole vehicle needs: the model, its work space, and the layout of coordinates.
 
-Coordinates: six per body (position of the centre of mass in the global frame, rotation vector), then, on
-flexible track, nine per wheelset: the seven of `track.flexibility` and one for each rail whose VELOCITY is
-the rail's lateral velocity as the creepage feels it. Velocities: global velocity and LOCAL angular velocity,
-as Exudyn's `NodeRigidBodyRotVecLG` has them; generalized forces are the conjugate global force and local
-torque.
+Coordinates: six per body (position of the centre of mass in the global frame, rotation vector); on flexible
+track seven per wheelset (`track.flexibility`); four per wheelset, two for each wheel, whose VELOCITIES are
+the longitudinal and lateral velocity of wheel against rail as the creepage feels them. Velocities: global
+velocity and LOCAL angular velocity, as Exudyn's `NodeRigidBodyRotVecLG` has them; generalized forces are the
+conjugate global force and local torque.
 
-Why the creepage feels the rail late: a steady-state creep force answers a sudden velocity at once, as a
-damper C/V of near 1 MN s/m between a wheelset and a rail of some 100 kg. A real contact must roll about one
-semi-axis a before its traction has built up (Kalker 1990, section 5.2: transition to steady rolling); until
-then it is a spring of stiffness C/a, about that of Mindlin. The rail's lateral velocity u in the creepage
-follows the rail with u' = (v - u) V/a. At rest and in steady rolling nothing changes; without it, explicit
-integration would need a quarter of the step.
+Why the creepage feels them late: a steady-state creep force answers a sudden velocity at once, as a damper
+C/V of 1 MN s/m and, at low speed, much more, on a rail of 200 kg or on a wheelset's spin. A real contact must
+roll about one semi-axis a before its traction has built up (Kalker 1990, section 5.2: transition to steady
+rolling); until then it is a spring of stiffness C/a, about that of Mindlin. So the velocity u that the
+creepage feels follows the velocity v of wheel against rail with u' = (v - u) V/a. Whatever moves wheel and
+rail alike, and steady rolling, are untouched; without it the explicit integration would need steps that
+shrink with the speed, and what it does beyond its limit looks like creep.
 """
 
 from enum import IntEnum
@@ -21,14 +22,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, FloatArray, WheelRailModel
+from hh_exudyn.kernel import kernel
 from track.alignment import AlignmentTable
 from track.flexibility import TrackParameters
 
 IntArray = NDArray[np.int64]
 
 BODY_COORDINATES = 6
-TRACK_MASSES = 7  # coordinates of `track.flexibility` per wheelset
-TRACK_COORDINATES = TRACK_MASSES + 2  # with the two velocities that the creepages feel
+TRACK_COORDINATES = 7  # per wheelset, on flexible track
+CREEP_COORDINATES = 4  # per wheelset: left longitudinal, left lateral, right longitudinal, right lateral
 
 
 class Kind(IntEnum):
@@ -52,7 +54,7 @@ class Ledger(IntEnum):
 
 
 SLIDERS = 3  # slider coordinates reserved for each coupling
-PARAMETERS = 18  # numbers reserved for each coupling
+PARAMETERS = 16  # numbers reserved for each coupling
 
 
 class Couplings(NamedTuple):
@@ -89,7 +91,8 @@ class SystemModel(NamedTuple):
     alignment: AlignmentTable
     flexible: bool
     track: TrackParameters
-    track_mass: FloatArray  # (TRACK_COORDINATES,) [kg], [kg m^2], 1 for the creepage velocities
+    shortest_transition: float  # of the creepage, a lower bound of the semi-axis a [m]
+    track_mass: FloatArray  # (TRACK_COORDINATES,) [kg], [kg m^2]
     train: Train
 
 
@@ -111,6 +114,7 @@ class Workspace(NamedTuple):
     gauge: FloatArray  # (wheelsets,)
     rail_displacement: FloatArray  # (wheelsets, 2, 2)
     rail_velocity: FloatArray  # (wheelsets, 2, 2)
+    creep_lag: FloatArray  # (wheelsets, 2, 2)
     wrench: FloatArray  # (wheelsets, 6)
     rail_force: FloatArray  # (wheelsets, 2, 2)
     patches: FloatArray  # (wheelsets, 2, MAX_PATCHES, PATCH_COLUMNS)
@@ -119,10 +123,22 @@ class Workspace(NamedTuple):
     generalized_force: FloatArray  # (coordinates,)
 
 
+@kernel
+def first_track(model: SystemModel) -> int:
+    """Number of the first coordinate of the track."""
+    return BODY_COORDINATES * model.mass.size
+
+
+@kernel
+def first_creep(model: SystemModel) -> int:
+    """Number of the first creep coordinate."""
+    track = TRACK_COORDINATES * model.wheelsets.size if model.flexible else 0
+    return BODY_COORDINATES * model.mass.size + track
+
+
 def coordinates(model: SystemModel) -> int:
     """Number of coordinates of the model."""
-    track = TRACK_COORDINATES * len(model.wheelsets) if model.flexible else 0
-    return BODY_COORDINATES * len(model.mass) + track
+    return first_creep(model) + CREEP_COORDINATES * len(model.wheelsets)
 
 
 def workspace(model: SystemModel) -> Workspace:
@@ -145,6 +161,7 @@ def workspace(model: SystemModel) -> Workspace:
         gauge=np.zeros(wheelsets),
         rail_displacement=np.zeros((wheelsets, 2, 2)),
         rail_velocity=np.zeros((wheelsets, 2, 2)),
+        creep_lag=np.zeros((wheelsets, 2, 2)),
         wrench=np.zeros((wheelsets, 6)),
         rail_force=np.zeros((wheelsets, 2, 2)),
         patches=np.zeros((wheelsets, 2, MAX_PATCHES, PATCH_COLUMNS)),

@@ -37,7 +37,7 @@ class SimulationStopped(RuntimeError):
     reason : "derailment" or "divergence"
     wheel : "1L", "2R", ... or "" where no wheel is to blame
     time : [s] since the start
-    position : arc length of the wheelset or vehicle [m]
+    position : arc length of the leading wheelset in the last sound state [m]
     """
 
     def __init__(self, reason: str, detail: str, wheel: str, time: float, position: float) -> None:
@@ -69,8 +69,10 @@ def simulate(
     ------
     FileExistsError
         The directory is not empty; nothing was written.
-    ValueError, NoEquilibrium
-        The vehicle does not fit its track, or has no equilibrium at the start.
+    ValueError
+        The vehicle does not fit its track; nothing was written.
+    NoEquilibrium
+        No static equilibrium at the start.
     SimulationStopped
         Derailment or divergence; the log so far is kept.
     KeyboardInterrupt
@@ -88,14 +90,13 @@ def simulate(
             if progress is not None:
                 progress(0.0, "static equilibrium (the first run also compiles the kernels)")
             start = clock.perf_counter()
-            alignment = case.alignment()
-            state = equilibrium(vehicle, alignment, model, work)
+            state = equilibrium(vehicle, model, work)
             status["equilibrium_s"] = clock.perf_counter() - start
             integration = _Integration(case, model, work, state, LogWriter(vehicle, model, work, recorder))
             try:
-                integration.run(alignment.length, progress)
+                integration.run(case.alignment().length, progress)
             finally:
-                status.update(integration.times)
+                status.update(integration.times, floored_curvatures=integration.floored)
             status.update(finished=True, reason="finished")
         except KeyboardInterrupt:
             status["reason"] = "interrupted"
@@ -135,6 +136,7 @@ class _Integration:
         self._progress: Progress | None = None
         self._next_progress = 0.0
         self._duration = 0.0
+        self._position = 0.0  # of the leading wheelset in the last sound state
         self._kernel_time = 0.0
         self._callback_time = 0.0
         self.times: dict[str, float] = {}
@@ -184,25 +186,33 @@ class _Integration:
         q = mbs.systemData.GetODE2Coordinates()
         v = mbs.systemData.GetODE2Coordinates_t()
         kernel_start = clock.perf_counter()
-        evaluate_bundle(self._bundle, self._sliders, q, v, time, False)
+        status = evaluate_bundle(self._bundle, self._sliders, q, v, time, False)
         self._kernel_time += clock.perf_counter() - kernel_start
         if self._accepted:
             self._accepted = False
             try:
-                self._commit(time, v)
+                self._commit(time, v, status)
             except Exception as error:
                 self._error = error
         self._callback_time += clock.perf_counter() - start
         return self._work.generalized_force
 
-    def _commit(self, time: float, v: FloatArray) -> None:
+    @property
+    def floored(self) -> int:
+        """Contact states, one per step and patch, whose lateral curvature met its floor."""
+        return int(self._watch.floored.sum())
+
+    def _commit(self, time: float, v: FloatArray, status: int) -> None:
         """The state just evaluated is the accepted one: keep its sliders, look for trouble, log it."""
         self._sliders[:] = self._work.new_sliders
-        trouble, wheelset, side = look(self._work, self._watch, self._step)
+        if status:  # the contact kernel's: 1 + number of the wheel
+            trouble, (wheelset, side) = int(Trouble.NOT_FINITE), divmod(status - 1, 2)
+        else:
+            trouble, wheelset, side = look(self._work, self._watch, self._step)
         if trouble:
             wheel = f"{wheelset + 1}{'LR'[side]}" if wheelset >= 0 else ""
-            position = float(self._work.arc_length[max(wheelset, 0)])
-            raise SimulationStopped(*REASONS[Trouble(trouble)], wheel, time, position)
+            raise SimulationStopped(*REASONS[Trouble(trouble)], wheel, time, self._position)
+        self._position = float(self._work.arc_length[0])
         if self._steps % self._steps_per_output == 0:
             self._log.write(time, v)
 
@@ -215,5 +225,8 @@ class _Integration:
             if now >= self._next_progress:
                 self._next_progress = now + PROGRESS_INTERVAL
                 done = min(time / self._duration, 1.0)
-                self._progress(done, f"t = {time:.2f} s, s = {self._work.arc_length[0]:.1f} m")
+                try:
+                    self._progress(done, f"t = {time:.2f} s, s = {self._work.arc_length[0]:.1f} m")
+                except Exception as error:
+                    self._error = error
         return self._error is None and not self._interrupted

@@ -9,11 +9,13 @@ from hh_exudyn.kernel import Bundle, kernel
 from hh_exudyn.multibody.couplings import coupling_forces
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
+    CREEP_COORDINATES,
     TRACK_COORDINATES,
-    TRACK_MASSES,
     Ledger,
     SystemModel,
     Workspace,
+    first_creep,
+    first_track,
 )
 from hh_exudyn.multibody.vectors import add_to, cross, rotate, rotate_back, rotation_matrix, triple
 from track.alignment import locate, rotation, track_frame
@@ -25,8 +27,6 @@ _CONTACT = int(Ledger.CONTACT_POWER)
 _DAMPER = int(Ledger.DAMPER_POWER)
 _POWER = int(Patch.POWER)
 _A = int(Patch.A)
-
-SHORTEST_TRANSITION = 5e-3  # m, a wheel that lifts off has a patch too short for any time step
 
 
 @kernel
@@ -58,6 +58,7 @@ def evaluate(
         work.frame_angular_velocity,
         work.rail_displacement,
         work.rail_velocity,
+        work.creep_lag,
         work.gauge,
         model.friction,
         work.wrench,
@@ -127,7 +128,11 @@ def _train_forces(model: SystemModel, work: Workspace, time: float) -> None:
 
 @kernel
 def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArray) -> None:
-    """Pose and velocity of every wheelset in its own frame T, and the state of the rails under it."""
+    """Pose and velocity of every wheelset in its own frame T, and the state of the rails under it.
+
+    The rails are taken as running along T's x axis: on a cant or gauge ramp they do so up to the ramp's slope
+    (below 1e-3), which makes a false approach rate of some mm/s.
+    """
     for w in range(model.wheelsets.size):
         body = model.wheelsets[w]
         s = locate(model.alignment, work.position[body, 0], work.position[body, 1], work.arc_length[w])
@@ -149,12 +154,21 @@ def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: Floa
             row[1] = local[1]
             row[2] = local[2]
         if model.flexible:
-            k = BODY_COORDINATES * model.mass.size + TRACK_COORDINATES * w
+            k = first_track(model) + TRACK_COORDINATES * w
             for side in range(2):
-                work.rail_displacement[w, side, 0] = q[k + 2 * side]
-                work.rail_displacement[w, side, 1] = q[k + 2 * side + 1]
-                work.rail_velocity[w, side, 0] = v[k + TRACK_MASSES + side]
-                work.rail_velocity[w, side, 1] = v[k + 2 * side + 1]
+                for axis in range(2):
+                    work.rail_displacement[w, side, axis] = q[k + 2 * side + axis]
+                    work.rail_velocity[w, side, axis] = v[k + 2 * side + axis]
+        k = first_creep(model) + CREEP_COORDINATES * w
+        velocity = work.frame_velocity[w]
+        turn = work.frame_angular_velocity[w]
+        for side in range(2):
+            # of wheel against rail at the running circle; what a patch lies off it is small and not delayed
+            lateral = model.wheel_rail.running_circle_distance * (1 - 2 * side)
+            ahead = velocity[0] - turn[1] * model.wheel_rail.nominal_radius - turn[2] * lateral
+            sideways = velocity[1] - work.rail_velocity[w, side, 0]
+            work.creep_lag[w, side, 0] = v[k + 2 * side] - ahead
+            work.creep_lag[w, side, 1] = v[k + 2 * side + 1] - sideways
 
 
 @kernel
@@ -180,17 +194,19 @@ def _generalized_forces(model: SystemModel, work: Workspace, q: FloatArray, v: F
         for axis in range(3):
             result[k + axis] = work.force[i, axis]
             result[k + 3 + axis] = local[axis]
-    if model.flexible:
-        for w in range(model.wheelsets.size):
-            k = BODY_COORDINATES * model.mass.size + TRACK_COORDINATES * w
-            end = k + TRACK_MASSES
+    for w in range(model.wheelsets.size):
+        if model.flexible:
+            k = first_track(model) + TRACK_COORDINATES * w
+            end = k + TRACK_COORDINATES
             work.ledger[_DAMPER] += track_forces(
                 model.track, q[k:end], v[k:end], work.rail_force[w], result[k:end]
             )
-            for side in range(2):
-                semi_axis = max(work.patches[w, side, 0, _A], SHORTEST_TRANSITION)
-                rate = work.frame_velocity[w, 0] / semi_axis
-                result[end + side] = rate * (v[k + 2 * side] - v[end + side])
+        k = first_creep(model) + CREEP_COORDINATES * w
+        for side in range(2):
+            transition = max(work.patches[w, side, 0, _A], model.shortest_transition)
+            rate = work.frame_velocity[w, 0] / transition
+            for axis in range(2):
+                result[k + 2 * side + axis] = -rate * work.creep_lag[w, side, axis]
 
 
 @kernel
@@ -206,7 +222,7 @@ def energies(model: SystemModel, work: Workspace, v: FloatArray) -> tuple[float,
             kinetic += 0.5 * model.inertia[i, axis] * v[k + 3 + axis] ** 2
     if model.flexible:
         for w in range(model.wheelsets.size):
-            k = BODY_COORDINATES * model.mass.size + TRACK_COORDINATES * w
-            for n in range(TRACK_MASSES):
+            k = first_track(model) + TRACK_COORDINATES * w
+            for n in range(TRACK_COORDINATES):
                 kinetic += 0.5 * model.track_mass[n] * v[k + n] ** 2
     return kinetic, potential

@@ -14,12 +14,15 @@ LIFT_OFF_TIME = 0.1  # s without contact of a wheel that counts as a derailment
 FLANGE_TIP_MARGIN = 3e-3  # m above the flange tip: a contact so deep means that the flange climbs the rail
 FLANGE_FROM = 0.02  # m towards the track centre on the wheel profile: nothing before it is flange
 LARGEST_LATERAL = 0.08  # m of a wheelset from the track centre: wheel and rail have parted
-SMALLEST_ALTERNATION = 5e-6  # lateral creepage that changes less than this to and fro is round-off
-ALTERNATIONS = 40  # steps in a row in which the creepage goes to and fro: the integration is unstable
+LARGEST_SPEED = 10.0  # m/s of a wheelset across the track or up: no derailment is as fast, a blow-up is
+SMALLEST_ALTERNATION = (
+    1e-3  # of the vertical force: a lateral force that goes to and fro by less is no trouble
+)
+ALTERNATIONS = 40  # steps in a row in which the lateral force goes to and fro: the integration is unstable
 
 _NORMAL_FORCE = int(Patch.NORMAL_FORCE)
 _Y_WHEEL = int(Patch.Y_WHEEL)
-_NU_Y = int(Patch.NU_Y)
+_FLOORED = int(Patch.FLOORED)
 
 
 class Trouble(IntEnum):
@@ -31,10 +34,15 @@ class Trouble(IntEnum):
     CLIMB = 3
     OFF_TRACK = 4
     ALTERNATING = 5
+    RUNAWAY = 6
 
 
 REASONS = {
     Trouble.NOT_FINITE: ("divergence", "the state is no longer finite"),
+    Trouble.RUNAWAY: (
+        "divergence",
+        f"the wheelset moves across at more than {LARGEST_SPEED:g} m/s; a smaller step_ms is needed",
+    ),
     Trouble.LIFT_OFF: ("derailment", f"no contact for {LIFT_OFF_TIME} s"),
     Trouble.CLIMB: ("derailment", "the flange climbs over the rail"),
     Trouble.OFF_TRACK: ("derailment", "the wheelset has left the track"),
@@ -49,9 +57,10 @@ class WatchState(NamedTuple):
     """What the watch remembers of every wheel, arrays (wheelsets, 2)."""
 
     airborne: FloatArray  # time without contact [s]
-    creepage: FloatArray  # lateral, of the last step
-    change: FloatArray  # its last change
+    lateral_force: FloatArray  # on the rail, of the last step [N]
+    change: FloatArray  # its last change [N]
     alternations: FloatArray  # changes of opposite sign in a row
+    floored: FloatArray  # patches so far whose lateral curvature met its floor
     flange_limit: FloatArray  # (2,) y on the wheel profile beyond which a contact is on the flange tip [m]
 
 
@@ -61,9 +70,10 @@ def watch_state(model: SystemModel) -> WatchState:
     wheels = (model.wheel_rail.wheel_left, model.wheel_rail.wheel_right)
     return WatchState(
         airborne=np.zeros(shape),
-        creepage=np.zeros(shape),
+        lateral_force=np.zeros(shape),
         change=np.zeros(shape),
         alternations=np.zeros(shape),
+        floored=np.zeros(shape),
         flange_limit=np.array([_flange_limit(wheel) for wheel in wheels]),
     )
 
@@ -82,6 +92,8 @@ def look(work: Workspace, state: WatchState, step: float) -> tuple[int, int, int
         if not math.isfinite(work.generalized_force[k]):
             return 1, -1, -1
     for w in range(state.airborne.shape[0]):
+        if max(abs(work.frame_velocity[w, 1]), abs(work.frame_velocity[w, 2])) > LARGEST_SPEED:
+            return 6, w, 0
         lateral = work.frame_position[w, 1]
         if abs(lateral) > LARGEST_LATERAL:
             return 4, w, 0 if lateral > 0.0 else 1
@@ -93,17 +105,19 @@ def look(work: Workspace, state: WatchState, step: float) -> tuple[int, int, int
                 if state.airborne[w, side] > LIFT_OFF_TIME:
                     return 2, w, side
             for patch in range(work.patches.shape[2]):
+                state.floored[w, side] += work.patches[w, side, patch, _FLOORED]
                 if work.patches[w, side, patch, _NORMAL_FORCE] > 0.0 and (
                     work.patches[w, side, patch, _Y_WHEEL] > state.flange_limit[side]
                 ):
                     return 3, w, side
-            change = work.patches[w, side, 0, _NU_Y] - state.creepage[w, side]
-            if change * state.change[w, side] < 0.0 and abs(change) > SMALLEST_ALTERNATION:
+            change = work.rail_force[w, side, 0] - state.lateral_force[w, side]
+            smallest = SMALLEST_ALTERNATION * abs(work.rail_force[w, side, 1])
+            if change * state.change[w, side] < 0.0 and abs(change) > smallest:
                 state.alternations[w, side] += 1.0
                 if state.alternations[w, side] > ALTERNATIONS:
                     return 5, w, side
             else:
                 state.alternations[w, side] = 0.0
-            state.creepage[w, side] += change
+            state.lateral_force[w, side] += change
             state.change[w, side] = change
     return 0, -1, -1

@@ -38,6 +38,7 @@ class State:
         self.angular_velocity = np.zeros((n, 3))
         self.rail_displacement = np.zeros((n, 2, 2))
         self.rail_velocity = np.zeros((n, 2, 2))
+        self.creep_lag = np.zeros((n, 2, 2))
         self.gauge = np.full(n, GAUGE)
         self.friction = np.full((n, 2), 0.3)
         self.wrench = np.full((n, 6), np.nan)  # the kernel must overwrite them
@@ -55,7 +56,7 @@ class State:
     def solve(self, contact_model: WheelRailModel = MODEL) -> "State":
         self.status = wheel_rail_forces(
             contact_model, self.position, self.axle, self.velocity, self.angular_velocity,
-            self.rail_displacement, self.rail_velocity, self.gauge, self.friction,
+            self.rail_displacement, self.rail_velocity, self.creep_lag, self.gauge, self.friction,
             self.wrench, self.rail_force, self.patches,
         )  # fmt: skip
         return self

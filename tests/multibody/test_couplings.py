@@ -5,6 +5,7 @@ under test a second time.
 """
 
 from dataclasses import fields, replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -69,9 +70,9 @@ def without_loss():
     """The wagon without dry friction and dampers."""
     couplings = []
     for coupling in WAGON.couplings:
-        names = {field.name for field in fields(coupling)}
-        lossy = names & {"friction", "damping", "rotational_damping", "stick_damping"}
-        zero = {name: 0.0 if name != "damping" else 0.0 * np.array(coupling.damping) for name in lossy}
+        names = [field.name for field in fields(coupling)]
+        lossy = [name for name in names if name == "friction" or name.endswith("damping")]
+        zero = {name: 0.0 * np.array(getattr(coupling, name)) for name in lossy}
         couplings.append(replace(coupling, **zero))
     return replace(WAGON, couplings=tuple(couplings))
 
@@ -84,7 +85,7 @@ def first(kind):
 def rest(demo):
     """Positions and rotations of the loaded wagon in static equilibrium."""
     model = assemble(WAGON, demo)
-    state = equilibrium(WAGON, demo.alignment(), model, workspace(model))
+    state = equilibrium(WAGON, model, workspace(model))
     q = state.q[: BODY_COORDINATES * SIZE].reshape(SIZE, BODY_COORDINATES)
     return q[:, :3], Rotation.from_rotvec(q[:, 3:])
 
@@ -166,7 +167,7 @@ def stored_energy(position, rotation):
                 total += c.stop_stiffness * max(abs(d[1]) - c.stop_clearance, 0.0) ** 2 / 2
                 total += np.dot([c.roll_stiffness, c.pitch_stiffness, c.warp_stiffness], turn**2) / 2
             case Wedge():
-                compression = c.preload / c.spring_stiffness - d[2] + c.direction * d[0] / c.tan_slope
+                compression = c.preload / c.spring_stiffness - d[2] + c.direction * d[0] / np.tan(c.slope)
                 total += c.spring_stiffness * max(compression, 0.0) ** 2 / 2
             case CentrePlate():
                 around = 2 * np.pi * (np.arange(RING_POINTS) + 0.5) / RING_POINTS
@@ -180,7 +181,7 @@ def stored_energy(position, rotation):
     return total
 
 
-@pytest.mark.parametrize(("angle", "tolerance"), [(0.0, 1e-7), (1e-3, 3e-4)])
+@pytest.mark.parametrize(("angle", "tolerance"), [(0.0, 1e-8), (1e-3, 1e-5)])
 @pytest.mark.parametrize("seed", range(6))
 def test_power_goes_into_springs_friction_or_dampers(whole, rest, seed, angle, tolerance):
     """Power of the forces on the bodies + ledger + rate of the springs' energy = 0, in any state of motion.
@@ -203,7 +204,6 @@ def test_power_goes_into_springs_friction_or_dampers(whole, rest, seed, angle, t
     stored = (later - earlier) / (2 * step)
     scale = np.abs(force * velocity).sum() + np.abs(torque * angular_velocity).sum()
     assert abs(lost) > 1e-3 * scale
-    print("POWER", angle, (power + lost + stored) / scale, lost / scale)
     assert abs(power + lost + stored) < tolerance * scale
 
 
@@ -211,7 +211,7 @@ def test_power_goes_into_springs_friction_or_dampers(whole, rest, seed, angle, t
     ("length", "angle", "tolerance"),
     [
         (1e-4, 0.0, 1e-9),  # no contact opens or stops: the midpoint rule is exact on a smooth closed path
-        (2e-3, 1e-3, 2e-4),  # plates tip, moment laws of small rotations
+        (2e-3, 1e-3, 1e-4),  # plates tip, moment laws of small rotations
     ],
 )
 @pytest.mark.parametrize("seed", range(3))
@@ -224,17 +224,17 @@ def test_no_work_around_a_closed_path_without_friction(demo, rest, seed, length,
 
     def pose(t):
         c, s = np.cos(t), np.sin(t)
-        return rest[0] + shift[0] * c + shift[1] * s, Rotation.from_rotvec(turn[0] * c + turn[1] * s) * rest[1]
+        turned = Rotation.from_rotvec(turn[0] * c + turn[1] * s) * rest[1]
+        return rest[0] + shift[0] * c + shift[1] * s, turned
 
     work, energy = 0.0, []
-    for t, u in zip(around[:-1], around[1:], strict=True):
+    for t, u in pairwise(around):
         (x0, r0), (x1, r1) = pose(t), pose(u)
         bench.place(*pose((t + u) / 2))
         force, torque = bench.forces()
         work += (force * (x1 - x0)).sum() + (torque * (r1 * r0.inv()).as_rotvec()).sum()
         energy.append(stored_energy(x0, r0))
     assert np.ptp(energy) > 10.0
-    print("LOOP", length, angle, work / np.ptp(energy), np.ptp(energy))
     assert abs(work) < tolerance * np.ptp(energy)
     assert np.abs(bench.work.ledger).max() == 0.0
 
@@ -331,7 +331,6 @@ def test_wedge_loop(demo):
     work = np.trapezoid(lifts, cycle)
     preload = c.preload / c.spring_stiffness
     expected = 4 * loop_area(low + preload, high + preload, c)
-    print("WEDGE", work, friction, expected)
     assert work == pytest.approx(expected, rel=1e-3)
     assert friction == pytest.approx(expected, rel=1e-3)
 
@@ -367,7 +366,7 @@ def test_centre_plate_tilts_over_its_ring(demo):
             # about the plate's middle, so that it only tilts there
             arm = Rotation.from_rotvec(turn).apply(np.array(c.point) - DRAWING[NUMBERS["bolster_1"]])
             offset = np.array(c.point) - DRAWING[NUMBERS["bolster_1"]] - arm
-            force, torque = bench.displaced("bolster_1", offset + [0.0, 0.0, sunk], turn)
+            force, torque = bench.displaced("bolster_1", offset + np.array([0.0, 0.0, sunk]), turn)
             plate_moment = torque - np.cross(arm, force)
             assert -force[2] > 1e3
             assert abs(plate_moment[axis] / force[2]) == pytest.approx(outermost, rel=2e-2)

@@ -7,7 +7,7 @@ from hh_exudyn.contact.types import Patch
 from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.equilibrium import FORCE_TOLERANCE, equilibrium
-from hh_exudyn.multibody.model import workspace
+from hh_exudyn.multibody.model import Ledger, workspace
 from vehicles.catalogue import vehicle
 from vehicles.parameters import load_parameters
 
@@ -16,7 +16,7 @@ def settle(case):
     wagon = vehicle(case.vehicle)
     model = assemble(wagon, case)
     work = workspace(model)
-    return wagon, work, equilibrium(wagon, case.alignment(), model, work)
+    return wagon, work, equilibrium(wagon, model, work)
 
 
 @pytest.fixture(scope="module", params=["iore_wagon_loaded", "iore_wagon_empty"])
@@ -74,14 +74,15 @@ def test_deflections_are_plausible(demo):
             assert 1e-3 < -work.rail_displacement[0, 0, 1] < 3e-3
 
 
-def test_wheels_roll_and_the_train_does_not_pull(settled):
-    _, work, state = settled
-    assert abs(state.train_lag) < 1e-4
-    assert np.abs(work.ledger[:2]).max() < 100.0
+def test_wheels_roll_and_the_train_hardly_pulls(settled):
+    """On straight track only spin creepage and normal damping cost anything: below 10 N of coupler force."""
+    _, work, _ = settled
+    assert abs(work.ledger[Ledger.COUPLER_FORCE]) < 10.0
+    assert np.abs(work.patches[:, :, 0, Patch.NU_X]).max() < 1e-6
 
 
 def test_a_track_that_begins_in_a_curve_is_refused(demo):
     curve = {"kind": "curve", "length_m": 60.0, "radius_m": 450.0, "hand": "left"}
     case = demo.with_changes(track={"sections": [curve]})
-    with pytest.raises(ValueError, match=r"begin with a straight of at least 11\.3 m"):
+    with pytest.raises(ValueError, match=r"first 11\.3 m must be straight"):
         settle(case)
