@@ -125,6 +125,11 @@ class TrackCase(CaseTable):
         return _slope(self.inclination)
 
     @property
+    def flexible(self) -> bool:
+        """Whether rails and sleepers move."""
+        return self.flexibility != RIGID
+
+    @property
     def rails(self) -> Rails:
         """Both rails, with their inclination."""
         return Rails(left=self.rail, right=self.rail, inclination=self.rail_inclination)

@@ -171,7 +171,7 @@ def _show_run(done: "Run") -> None:
     window = steady_window(done)
     _record(done, done.directory / RECORDING)
     _print_table(_wheelset_table(wheelset_summary(done, window), window))
-    out.print("Y is positive outwards; angle of attack and lateral position are positive to the left")
+    out.print("Y is positive outwards; attack and position are positive to the left")
     out.print(f"play it: hh-exudyn playback {done.directory}")
 
 

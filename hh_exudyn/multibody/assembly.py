@@ -14,7 +14,6 @@ from exudyn.itemInterface import (
 )
 
 from hh_exudyn.case import Case
-from hh_exudyn.case_tables import RIGID
 from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.contact.wheel_rail import wheel_rail_model
@@ -48,7 +47,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
     _require_straight_start(vehicle, alignment)
     numbers = {body.name: i for i, body in enumerate(vehicle.bodies)}
     rails = case.track.rails
-    flexible = case.track.flexibility != RIGID
+    flexible = case.track.flexible
     # rigid track keeps a parameter set that nothing reads: the kernel's types stay the same
     flexibility = track_flexibility(case.track.flexibility if flexible else "concrete")
     radii = {wheelset.radius for wheelset in vehicle.wheelsets}

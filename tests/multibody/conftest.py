@@ -3,11 +3,17 @@
 from importlib.resources import files
 from pathlib import Path
 
+import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from hh_exudyn.case import Case
 from hh_exudyn.log.store import Run
+from hh_exudyn.multibody.assembly import assemble
+from hh_exudyn.multibody.equilibrium import equilibrium
+from hh_exudyn.multibody.model import BODY_COORDINATES, workspace
 from hh_exudyn.multibody.simulate import simulate
+from vehicles.catalogue import vehicle
 
 
 @pytest.fixture(scope="session")
@@ -35,3 +41,13 @@ def short_case(demo: Case) -> Case:
 @pytest.fixture(scope="session")
 def runs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("short_runs")
+
+
+@pytest.fixture(scope="session")
+def rest(demo: Case) -> tuple[np.ndarray, Rotation]:
+    """Positions and rotations of the loaded wagon in static equilibrium."""
+    wagon = vehicle(demo.vehicle)
+    model = assemble(wagon, demo)
+    state = equilibrium(wagon, model, workspace(model))
+    q = state.q[: BODY_COORDINATES * len(wagon.bodies)].reshape(-1, BODY_COORDINATES)
+    return q[:, :3], Rotation.from_rotvec(q[:, 3:])
