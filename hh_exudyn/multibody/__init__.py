@@ -1,1 +1,22 @@
-"""The only importer of Exudyn: vehicle and track descriptions become a multibody system and are run."""
+"""The only importer of Exudyn: vehicle and track descriptions become a multibody system and are run.
+
+==============  ======================================================================================
+`model`         layout of the coordinates, everything constant, and the kernel's work space
+`vectors`       three-vectors and rotations inside kernels
+`couplings`     all suspension elements of a vehicle in one kernel
+`system`        `evaluate`: all forces of a vehicle on its track
+`assembly`      descriptions -> model -> Exudyn system
+`equilibrium`   rest on straight track, before the run
+`watch`         reasons to stop a run
+`recording`     rows of the logs
+`simulate`      `simulate(case, directory)`
+==============  ======================================================================================
+"""
+
+try:
+    import exudyn as _exudyn  # noqa: F401
+except ImportError as error:
+    raise ImportError(
+        f"Exudyn cannot be loaded: {error}. On a machine without a desktop, install the OpenGL library (on "
+        "Debian: apt-get install libgl1)"
+    ) from error
