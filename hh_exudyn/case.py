@@ -10,7 +10,6 @@ import tomllib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
-import numpy as np
 import tomli_w
 from pydantic import BaseModel, Field, ValidationError, field_validator, model_validator
 
@@ -28,8 +27,8 @@ from hh_exudyn.case_tables import (
     number,
     read_profile,
 )
-from hh_exudyn.contact.profile import Profile, read_wheel_profile, wheel_profile
-from hh_exudyn.conventions import BACK_TO_BACK, FLANGE_BACK_TO_RUNNING_CIRCLE
+from hh_exudyn.contact.profile import Profile, flange_thickness, read_wheel_profile, wheel_profile
+from hh_exudyn.conventions import BACK_TO_BACK
 from track.alignment import Alignment
 from vehicles.catalogue import VEHICLES
 
@@ -42,11 +41,9 @@ __all__ = [
     "StraightCase",
     "TrackCase",
     "TransitionCase",
-    "flange_thickness",
     "read_case",
 ]
 
-FLANGE_THICKNESS_DEPTH = 0.010  # m below the tread at the running circle, EN 13715
 SHORTEST_TRACK_M = 30.0  # a wagon of 10.29 m and some way to run
 
 
@@ -201,27 +198,6 @@ def read_case(path: str | Path) -> Case:
     except UnicodeDecodeError as error:
         raise CaseError(f"{path}: not valid TOML: not UTF-8 at byte {error.start}") from None
     return Case.from_toml(text, source=str(path), folder=path.parent)
-
-
-def flange_thickness(wheel: Profile) -> float:
-    """Thickness of the flange 10 mm below the tread at the running circle [m] (EN 13715).
-
-    Raises
-    ------
-    ValueError
-        If the profile has no flange that reaches that deep.
-    """
-    y, z = np.asarray(wheel.y), np.asarray(wheel.z)
-    depth = z - np.interp(0.0, y, z) + FLANGE_THICKNESS_DEPTH
-    below = np.flatnonzero((y > 0.0) & (depth < 0.0))
-    if below.size == 0 or below[0] == 0:
-        raise ValueError(
-            f"no flange: lowest point {z.min() * 1000:.3g} mm, "
-            f"allowed below {-FLANGE_THICKNESS_DEPTH * 1000:g} mm, on the side of positive y"
-        )
-    k = below[0]
-    face = y[k - 1] + (y[k] - y[k - 1]) * depth[k - 1] / (depth[k - 1] - depth[k])
-    return float(FLANGE_BACK_TO_RUNNING_CIRCLE - face)
 
 
 def _wheel(name: str) -> Profile:

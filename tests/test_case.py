@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from hh_exudyn.case import Case, CaseError, flange_thickness, read_case
-from hh_exudyn.contact.profile import Profile, wheel_profile
+from hh_exudyn.case import Case, CaseError, read_case
+from hh_exudyn.contact.profile import wheel_profile
 
 DEMO = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text()
 
@@ -83,18 +83,6 @@ def test_wheel_profile_path_starts_at_the_case_file(demo: Case, tmp_path: Path) 
     assert Path(case.wheel_profile) == tmp_path / "profiles" / "worn.txt"
     assert case.least_gauge == pytest.approx(demo.least_gauge, abs=1e-7)
     assert Case.from_toml(case.to_toml()) == case
-
-
-def test_flange_thickness_of_s1002_is_that_of_the_standard() -> None:
-    """UIC 510-2 / EN 13715: S1002/h28/e32.5, so the clearance is used up at 1360 + 2 * 32.5 mm."""
-    assert flange_thickness(wheel_profile("S1002")) == pytest.approx(0.0325, abs=5e-6)
-
-
-def test_flange_thickness_of_a_cone_with_an_upright_flange() -> None:
-    """A flange whose face stands at y = 40 mm is 70 - 40 mm thick, wherever the profile's zero lies."""
-    y = np.array([*np.linspace(-0.03, 0.0399, 30), 0.0401, 0.045, 0.05])
-    z = np.array([*(-np.linspace(-0.03, 0.0399, 30) / 40), -0.028, -0.028, -0.028])
-    assert flange_thickness(Profile("cone", "wheel", y, z)) == pytest.approx(0.030, abs=1e-4)
 
 
 @pytest.mark.parametrize("gauge", [1425.001, 1424.9, 1300.0, 0.0, -5.0])

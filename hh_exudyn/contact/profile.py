@@ -12,10 +12,11 @@ import numpy as np
 
 from hh_exudyn.contact.standard_profiles import RAIL_HEADS, rail_head_coordinates, s1002_coordinates
 from hh_exudyn.contact.types import FloatArray
-from hh_exudyn.conventions import GAUGE_MEASURING_DEPTH
+from hh_exudyn.conventions import FLANGE_BACK_TO_RUNNING_CIRCLE, GAUGE_MEASURING_DEPTH
 
 WHEEL_PROFILES = ("S1002",)
 RAIL_PROFILES = RAIL_HEADS
+FLANGE_THICKNESS_DEPTH = 0.010  # m below the tread at the running circle, EN 13715
 MAX_INCLINATION = 0.1  # larger values are angles in degrees or slopes upside down (1:20 is 0.05)
 
 _MIN_POINTS = 20
@@ -162,6 +163,27 @@ def read_rail_profile(path: str | Path) -> Profile:
     """
     y, z = _read_columns(Path(path), "rail")
     return Profile(Path(path).stem, "rail", y, z - z.max())
+
+
+def flange_thickness(wheel: Profile) -> float:
+    """Thickness of the flange 10 mm below the tread at the running circle [m] (EN 13715).
+
+    Raises
+    ------
+    ValueError
+        If the profile has no flange that reaches that deep.
+    """
+    y, z = np.asarray(wheel.y), np.asarray(wheel.z)
+    depth = z - np.interp(0.0, y, z) + FLANGE_THICKNESS_DEPTH
+    below = np.flatnonzero((y > 0.0) & (depth < 0.0))
+    if below.size == 0 or below[0] == 0:
+        raise ValueError(
+            f"no flange: lowest point {z.min() * 1000:.3g} mm, "
+            f"allowed below {-FLANGE_THICKNESS_DEPTH * 1000:g} mm, on the side of positive y"
+        )
+    k = below[0]
+    face = y[k - 1] + (y[k] - y[k - 1]) * depth[k - 1] / (depth[k - 1] - depth[k])
+    return float(FLANGE_BACK_TO_RUNNING_CIRCLE - face)
 
 
 def gauge_point(rail: Profile) -> float:

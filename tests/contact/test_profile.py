@@ -9,6 +9,7 @@ from scipy.interpolate import CubicSpline
 from hh_exudyn.contact.profile import (
     RAIL_PROFILES,
     Profile,
+    flange_thickness,
     gauge_point,
     rail_profile,
     read_rail_profile,
@@ -227,3 +228,15 @@ def test_unknown_names_list_the_known() -> None:
         spline_table(wheel_profile("S1002"), step=1.0)
     with pytest.raises(ValueError, match="smoothing"):
         spline_table(wheel_profile("S1002"), smoothing=-1.0)
+
+
+def test_flange_thickness_of_s1002_is_that_of_the_standard() -> None:
+    """UIC 510-2 / EN 13715: S1002/h28/e32.5, so the clearance is used up at 1360 + 2 * 32.5 mm."""
+    assert flange_thickness(wheel_profile("S1002")) == pytest.approx(0.0325, abs=5e-6)
+
+
+def test_flange_thickness_of_a_cone_with_an_upright_flange() -> None:
+    """A flange whose face stands at y = 40 mm is 70 - 40 mm thick, wherever the profile's zero lies."""
+    y = np.array([*np.linspace(-0.03, 0.0399, 30), 0.0401, 0.045, 0.05])
+    z = np.array([*(-np.linspace(-0.03, 0.0399, 30) / 40), -0.028, -0.028, -0.028])
+    assert flange_thickness(Profile("cone", "wheel", y, z)) == pytest.approx(0.030, abs=1e-4)
