@@ -7,6 +7,7 @@
 `system`        `evaluate`: all forces of a vehicle on its track
 `assembly`      descriptions -> model -> Exudyn system
 `equilibrium`   rest on straight track, before the run
+`stability`     the largest time step that the explicit integration bears
 `watch`         reasons to stop a run
 `recording`     rows of the logs
 `simulate`      `simulate(case, directory)`

@@ -19,6 +19,7 @@ from hh_exudyn.multibody.assembly import assemble, explicit_settings, exudyn_sys
 from hh_exudyn.multibody.equilibrium import Equilibrium, equilibrium
 from hh_exudyn.multibody.model import SystemModel, Workspace, workspace
 from hh_exudyn.multibody.recording import LogWriter
+from hh_exudyn.multibody.stability import require_stable_step
 from hh_exudyn.multibody.system import evaluate_bundle
 from hh_exudyn.multibody.watch import REASONS, Trouble, look, watch_state
 from vehicles.catalogue import vehicle as vehicle_by_name
@@ -70,9 +71,9 @@ def simulate(
     FileExistsError
         The directory is not empty; nothing was written.
     ValueError
-        The vehicle does not fit its track; nothing was written.
+        The vehicle does not fit its track, or the time step is too large; nothing was written.
     NoEquilibrium
-        No static equilibrium at the start.
+        No static equilibrium at the start; nothing was written.
     SimulationStopped
         Derailment or divergence; the log so far is kept.
     KeyboardInterrupt
@@ -81,22 +82,21 @@ def simulate(
     vehicle = vehicle or vehicle_by_name(case.vehicle)
     model = assemble(vehicle, case)
     work = workspace(model)
+    if progress is not None:
+        progress(0.0, "static equilibrium (the first run also compiles the kernels)")
+    start = clock.perf_counter()
+    state = equilibrium(vehicle, model, work)
+    require_stable_step(case.integration.step_ms * 1e-3, model, work, state)
+    status: dict[str, Any] = {"finished": False, "reason": "running"}
+    status["equilibrium_s"] = clock.perf_counter() - start
+
     names = {"body": [body.name for body in vehicle.bodies]}
     with Recorder(directory, {"case": case.to_toml()}, names=names) as recorder:
         write_case(directory, case.to_toml())
-        status: dict[str, Any] = {"finished": False, "reason": "running"}
         write_status(directory, status)
+        integration = _Integration(case, model, work, state, LogWriter(vehicle, model, work, recorder))
         try:
-            if progress is not None:
-                progress(0.0, "static equilibrium (the first run also compiles the kernels)")
-            start = clock.perf_counter()
-            state = equilibrium(vehicle, model, work)
-            status["equilibrium_s"] = clock.perf_counter() - start
-            integration = _Integration(case, model, work, state, LogWriter(vehicle, model, work, recorder))
-            try:
-                integration.run(case.alignment().length, progress)
-            finally:
-                status.update(integration.times, floored_curvatures=integration.floored)
+            integration.run(case.alignment().length, progress)
             status.update(finished=True, reason="finished")
         except KeyboardInterrupt:
             status["reason"] = "interrupted"
@@ -105,6 +105,7 @@ def simulate(
             status["reason"] = str(error)
             raise
         finally:
+            status.update(integration.times, floored_curvatures=integration.floored)
             write_status(directory, status)
     return open_run(directory)
 

@@ -53,7 +53,7 @@ def test_free_rolling_at_any_speed(demo, runs, speed_km_h, step_ms):
 
 def check_free_rolling(contact, energy):
     assert np.abs(contact.force_x).max() < 1e-4 * contact.Q.mean()
-    assert energy.coupler_power == pytest.approx(energy.contact_power, rel=0.1)
+    assert energy.coupler_power == pytest.approx(energy.contact_power, abs=5.0)
 
 
 def interrupt_at(fraction):
@@ -94,7 +94,7 @@ def test_ctrl_c_before_the_integration(short_case, runs):
     progress, _ = interrupt_at(0.0)
     with pytest.raises(KeyboardInterrupt):
         simulate(short_case, runs / "interrupted_early", progress)
-    assert open_run(runs / "interrupted_early").status == {"finished": False, "reason": "interrupted"}
+    assert not (runs / "interrupted_early").exists()  # nothing to keep yet
 
 
 def test_an_error_of_the_progress_function_reaches_the_caller(short_case, runs):
