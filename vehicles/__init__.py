@@ -1,1 +1,11 @@
-"""Vehicles as frozen descriptions: bodies, couplings and parameters with their source. No Exudyn here."""
+"""Vehicles as frozen descriptions: bodies, couplings and parameters with their source. No Exudyn here.
+
+====================  ================================================================================
+`description`         bodies, couplings, wheelsets, vehicles: the drawing
+`parameters`          parameter files, in which every number has its unit and its source
+`three_piece_bogie`   bolster, side frames, wheelsets and what couples them
+`wagon`               the LKAB iron-ore wagon
+`catalogue`           the vehicles by name
+`force_laws`          two-stage springs, stops, dry friction, wedges: kernels of plain numbers
+====================  ================================================================================
+"""
