@@ -1,4 +1,4 @@
-"""One evaluation of all forces of the loaded wagon at rest: the call that a run makes 10 000 times a second."""
+"""One evaluation of all forces of the loaded wagon: the call that a run makes 10 000 times a second."""
 
 from importlib.resources import files
 

@@ -58,8 +58,8 @@ def test_four_wheelsets(benchmark: Any, theory: str) -> None:
     velocity = np.tile([20.0, 0.01, 0.0], (n, 1))
     patches = np.zeros((n, 2, MAX_PATCHES, PATCH_COLUMNS))
     status = benchmark(
-        wheel_rail_forces, model, position, axle, velocity, axle * 20.0 / 0.46, np.zeros((n, 2, 2)), np.zeros((n, 2, 2)),
-        np.zeros((n, 2, 2)), np.full(n, 1.435), np.full((n, 2), 0.3), np.zeros((n, 6)), np.zeros((n, 2, 2)),
+        wheel_rail_forces, model, position, axle, velocity, axle * 20.0 / 0.46,
+        np.zeros((n, 2, 2)), np.zeros((n, 2, 2)), np.zeros((n, 2, 2)), np.full(n, 1.435), np.full((n, 2), 0.3), np.zeros((n, 6)), np.zeros((n, 2, 2)),
         patches,
     )  # fmt: skip
     assert status == 0
