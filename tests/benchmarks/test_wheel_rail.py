@@ -57,10 +57,10 @@ def test_four_wheelsets(benchmark: Any, theory: str) -> None:
     axle = np.tile([0.0, 1.0, 0.0], (n, 1))
     velocity = np.tile([20.0, 0.01, 0.0], (n, 1))
     patches = np.zeros((n, 2, MAX_PATCHES, PATCH_COLUMNS))
+    displacement, rail_velocity, creep_lag, rail_force = (np.zeros((n, 2, 2)) for _ in range(4))
     status = benchmark(
-        wheel_rail_forces, model, position, axle, velocity, axle * 20.0 / 0.46,
-        np.zeros((n, 2, 2)), np.zeros((n, 2, 2)), np.zeros((n, 2, 2)), np.full(n, 1.435), np.full((n, 2), 0.3), np.zeros((n, 6)), np.zeros((n, 2, 2)),
-        patches,
+        wheel_rail_forces, model, position, axle, velocity, axle * 20.0 / 0.46, displacement, rail_velocity,
+        creep_lag, np.full(n, 1.435), np.full((n, 2), 0.3), np.zeros((n, 6)), rail_force, patches,
     )  # fmt: skip
     assert status == 0
     assert (patches[:, :, 0, 5] > 0).all()  # all eight wheels in contact
