@@ -91,7 +91,11 @@ def fatigue_figure(
     figure, panels = _panels(report, vehicle, outer_side, "share of time [%]")
     surface = report.surface
     y = surface.grid.centres * 1e3
-    contact = {index: 100.0 * surface.contact_time[index].sum(axis=0) / surface.time for index in panels}
+    # where two patches of a wheel overlap, both have counted there; the wheel was in contact once
+    contact = {
+        index: np.minimum(100.0 * surface.contact_time[index].sum(axis=0) / surface.time, 100.0)
+        for index in panels
+    }
     root = _flange_root(profile, report.flange_angle)
     _finish(panels, profile, root, max(float(share.max()) for share in contact.values()))
     for index, axes in panels.items():
@@ -102,7 +106,7 @@ def fatigue_figure(
             (TREAD, "FI$_{surf}$ > 0, tread", _TREAD_COLOUR),
             (FLANGE, "FI$_{surf}$ > 0, flange", _FLANGE_COLOUR),
         ):
-            share = 100.0 * surface.fatigue_time[index, part] / surface.time
+            share = np.minimum(100.0 * surface.fatigue_time[index, part] / surface.time, 100.0)
             axes.fill_between(y, share, step="mid", color=colour, linewidth=0, label=name)
         _corner_text(axes, "flange", 0.985)
     handles, labels = next(iter(panels.values())).get_legend_handles_labels()
