@@ -157,6 +157,8 @@ class _Integration:
         exu.config.printToConsole = False
         try:
             mbs.SolveDynamic(settings, showHints=False)
+            if self._accepted and not self._interrupted:
+                self._forces(mbs, self._steps * self._step, 0, None, None)  # the last state, to log it too
         except Exception as error:
             # Exudyn reports an exception of a user function as its own failure: the kept one tells more
             self._error = self._error or error

@@ -49,3 +49,5 @@ def test_logs_carry_the_case_and_whole_outputs(demo, demo_run):
     assert motion.time.size == outputs.size * 11
     assert np.diff(outputs) == pytest.approx(demo.integration.output_interval_ms * 1e-3)
     assert demo_run.status["finished"] is True
+    last = demo_run.status["simulated_s"]  # the last state is logged if an output falls on it
+    assert outputs[-1] > last - 1.01e-3 * demo.integration.output_interval_ms

@@ -107,3 +107,16 @@ def test_an_error_of_the_progress_function_reaches_the_caller(short_case, runs):
     with pytest.raises(OSError, match="no terminal"):
         simulate(short_case, runs / "bad_progress", progress)
     assert open_run(runs / "bad_progress").status["reason"] == "no terminal"
+
+
+def test_the_last_state_is_logged(short_case, runs):
+    """With an output every step the log ends with the run, and the vehicle stands at the end of the track."""
+    every = short_case.with_changes(
+        integration={"output_interval_ms": short_case.integration.step_ms},
+        track={"sections": STRAIGHT},
+    )
+    run = simulate(every, runs / "last")
+    motion = table(run, "motion")
+    assert motion.time.max() == pytest.approx(run.status["simulated_s"], abs=1e-9)
+    front = motion.s[motion.body == "car_body"].max() + 10.29 / 2
+    assert front == pytest.approx(every.alignment().length, abs=2 * every.speed * 0.4e-3 + 1e-3)
