@@ -1,8 +1,8 @@
 """The one door to numba: the decorator `kernel`, and `Bundle` for arguments of many arrays.
 
 Numba's file cache does not notice when a kernel in ANOTHER file changes, and then runs old code without
-a word. Here the cache folder is named by the hash of all sources of the four packages, so that any change
-of source starts an empty cache. It lies under the user's cache directory; where that cannot be written,
+a word. Here the cache folder is named by the hash of every source that kernels are made of, so that any
+change of one starts an empty cache. It lies under the user's cache directory; where that cannot be written,
 kernels are compiled in every process and one warning says so.
 
 A kernel never raises: it returns a status or NaN, and its caller raises with wheel, time and position.
@@ -69,7 +69,7 @@ if _FOLDER is not None:
 
 
 def kernel(function: F) -> F:
-    """Compile a function to machine code (numba, no Python objects), cached by the hash of all sources.
+    """Compile a function to machine code (numba, no Python objects), cached by the hash of their sources.
 
     Divisions by zero give infinities or NaN as in numpy instead of exceptions. Set NUMBA_DISABLE_JIT=1 to
     run kernels as plain Python.

@@ -112,11 +112,17 @@ def _pad(
     p: FloatArray, d: Triple, v: Triple, rotation_a: FloatArray, rotation_b: FloatArray, work: Workspace
 ) -> tuple[Triple, Triple]:
     """Linear pad; the wheelset spins, so roll and yaw are those of its axle direction."""
-    work.ledger[_DAMPER] += p[3] * v[0] ** 2 + p[4] * v[1] ** 2 + p[5] * v[2] ** 2
+    stiffness, damping = (p[0], p[1], p[2]), (p[3], p[4], p[5])
+    roll_stiffness, yaw_stiffness = p[6], p[7]
+    work.ledger[_DAMPER] += damping[0] * v[0] ** 2 + damping[1] * v[1] ** 2 + damping[2] * v[2] ** 2
     axle = rotate_back(rotation_a, (rotation_b[0, 1], rotation_b[1, 1], rotation_b[2, 1]))
     return (
-        (-p[0] * d[0] - p[3] * v[0], -p[1] * d[1] - p[4] * v[1], -p[2] * d[2] - p[5] * v[2]),
-        (-p[6] * axle[2], 0.0, p[7] * axle[0]),
+        (
+            -stiffness[0] * d[0] - damping[0] * v[0],
+            -stiffness[1] * d[1] - damping[1] * v[1],
+            -stiffness[2] * d[2] - damping[2] * v[2],
+        ),
+        (-roll_stiffness * axle[2], 0.0, yaw_stiffness * axle[0]),
     )
 
 
@@ -125,18 +131,27 @@ def _nest(
     p: FloatArray, d: Triple, v: Triple, angle: Triple, turn: Triple, work: Workspace
 ) -> tuple[Triple, Triple]:
     """Two-stage springs with shear, rotational stiffness and lateral stops."""
-    work.ledger[_DAMPER] += p[8] * (v[0] ** 2 + v[1] ** 2) + p[9] * v[2] ** 2
-    work.ledger[_DAMPER] += p[10] * turn[0] ** 2 + p[11] * turn[1] ** 2 + p[12] * turn[2] ** 2
+    first_stiffness, second_stiffness, second_from = p[0], p[1], p[2]
+    longitudinal, lateral = p[3], p[4]
+    roll, pitch, warp = p[5], p[6], p[7]
+    shear_damping, vertical_damping = p[8], p[9]
+    roll_damping, pitch_damping, warp_damping = p[10], p[11], p[12]
+    stop_clearance, stop_stiffness = p[13], p[14]
+    work.ledger[_DAMPER] += shear_damping * (v[0] ** 2 + v[1] ** 2) + vertical_damping * v[2] ** 2
+    work.ledger[_DAMPER] += roll_damping * turn[0] ** 2 + pitch_damping * turn[1] ** 2
+    work.ledger[_DAMPER] += warp_damping * turn[2] ** 2
+    spring = two_stage_spring(-d[2], first_stiffness, second_stiffness, second_from)
+    stop = clearance_stop(d[1], stop_clearance, stop_stiffness)
     return (
         (
-            -p[3] * d[0] - p[8] * v[0],
-            -p[4] * d[1] - p[8] * v[1] + clearance_stop(d[1], p[13], p[14]),
-            two_stage_spring(-d[2], p[0], p[1], p[2]) - p[9] * v[2],
+            -longitudinal * d[0] - shear_damping * v[0],
+            -lateral * d[1] - shear_damping * v[1] + stop,
+            spring - vertical_damping * v[2],
         ),
         (
-            -p[5] * angle[0] - p[10] * turn[0],
-            -p[6] * angle[1] - p[11] * turn[1],
-            -p[7] * angle[2] - p[12] * turn[2],
+            -roll * angle[0] - roll_damping * turn[0],
+            -pitch * angle[1] - pitch_damping * turn[1],
+            -warp * angle[2] - warp_damping * turn[2],
         ),
     )
 
@@ -151,10 +166,14 @@ def _wedge(
     new_slider: FloatArray,
     work: Workspace,
 ) -> Triple:
-    """Wedge: it goes down with the bolster, and when the bolster moves towards its column."""
-    direction = p[0]
-    compression = p[2] - d[2] + direction * d[0] / p[7]
-    compression_rate = -v[2] + direction * v[0] / p[7]
+    """Wedge: it goes down with the bolster, and when the bolster moves towards its column.
+
+    Its way follows the slope of the face, its force that slope with the friction of the face.
+    """
+    direction, spring_stiffness, drawing_compression, tan_slope = p[0], p[1], p[2], p[3]
+    friction, stick_stiffness, stick_damping, tan_face = p[4], p[5], p[6], p[7]
+    compression = drawing_compression - d[2] + direction * d[0] / tan_face
+    compression_rate = -v[2] + direction * v[0] / tan_face
     slider_compression = compression if settle else slider[0]
     lift, lateral, new_slider[0], new_slider[1] = wedge(
         compression,
@@ -163,15 +182,15 @@ def _wedge(
         slider[1],
         compression_rate,
         v[1],
-        p[1],
-        p[3],
-        p[4],
-        p[5],
-        p[6],
+        spring_stiffness,
+        tan_slope,
+        friction,
+        stick_stiffness,
+        stick_damping,
     )
-    force = (-direction * lift / p[3], lateral, lift)
+    force = (-direction * lift / tan_slope, lateral, lift)
     taken = -(force[0] * v[0] + force[1] * v[1] + force[2] * v[2])
-    work.ledger[_FRICTION] += taken - p[1] * max(compression, 0.0) * compression_rate
+    work.ledger[_FRICTION] += taken - spring_stiffness * max(compression, 0.0) * compression_rate
     return force
 
 
@@ -191,9 +210,9 @@ def _plate(
     The bounds of shear (mu N) and yaw (2/3 mu N radius) are kept apart: a plate that slides in yaw holds
     against shear as if it did not, which the rim's clearance makes of little effect.
     """
-    radius = p[0]
-    stiffness = p[1] / RING_POINTS
-    damping = p[2] / RING_POINTS
+    radius, stiffness, damping = p[0], p[1] / RING_POINTS, p[2] / RING_POINTS
+    friction, stick_stiffness, stick_damping = p[3], p[4], p[5]
+    rim_clearance, rim_stiffness = p[6], p[7]
     load = 0.0
     moment_x = 0.0
     moment_y = 0.0
@@ -209,7 +228,7 @@ def _plate(
             moment_x += force * y
             moment_y -= force * x
     force_x, force_y, new_slider[0], new_slider[1] = dry_friction(
-        d[0], d[1], slider[0], slider[1], v[0], v[1], p[4], p[5], p[3] * load
+        d[0], d[1], slider[0], slider[1], v[0], v[1], stick_stiffness, stick_damping, friction * load
     )
     # two thirds of the radius: friction torque of a uniformly loaded flat disc
     arm = 2.0 / 3.0 * radius
@@ -220,14 +239,14 @@ def _plate(
         0.0,
         turn[2],
         0.0,
-        p[4] * arm**2,
-        p[5] * arm**2,
-        p[3] * load * arm,
+        stick_stiffness * arm**2,
+        stick_damping * arm**2,
+        friction * load * arm,
     )
     work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1] + torque * turn[2]
     shear = math.hypot(d[0], d[1])
-    if shear > p[6]:
-        rim = -p[7] * (shear - p[6]) / shear
+    if shear > rim_clearance:
+        rim = -rim_stiffness * (shear - rim_clearance) / shear
         force_x += rim * d[0]
         force_y += rim * d[1]
     return (force_x, force_y, load), (moment_x, moment_y, torque)
@@ -238,14 +257,16 @@ def _side_bearer(
     p: FloatArray, d: Triple, v: Triple, slider: FloatArray, new_slider: FloatArray, work: Workspace
 ) -> Triple:
     """Constant-contact side bearer with its solid stop and the friction of its face."""
-    compression = p[0] / p[1] - d[2]
+    preload, stiffness, damping, stop_clearance, stop_stiffness = p[0], p[1], p[2], p[3], p[4]
+    friction, stick_stiffness, stick_damping = p[5], p[6], p[7]
+    compression = preload / stiffness - d[2]
     load = 0.0
     if compression > 0.0:
-        spring = p[1] * compression + p[4] * max(-d[2] - p[3], 0.0)
-        load = max(spring - p[2] * v[2], 0.0)
+        spring = stiffness * compression + stop_stiffness * max(-d[2] - stop_clearance, 0.0)
+        load = max(spring - damping * v[2], 0.0)
         work.ledger[_DAMPER] -= (load - spring) * v[2]
     force_x, force_y, new_slider[0], new_slider[1] = dry_friction(
-        d[0], d[1], slider[0], slider[1], v[0], v[1], p[6], p[7], p[5] * load
+        d[0], d[1], slider[0], slider[1], v[0], v[1], stick_stiffness, stick_damping, friction * load
     )
     work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1]
     return force_x, force_y, load

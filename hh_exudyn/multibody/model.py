@@ -8,11 +8,12 @@ conjugate global force and local torque.
 
 Why the creepage feels them late: a steady-state creep force answers a sudden velocity at once, as a damper
 C/V of 1 MN s/m and, at low speed, much more, on a rail of 200 kg or on a wheelset's spin. A real contact must
-roll about one semi-axis a before its traction has built up (Kalker 1990, section 5.2: transition to steady
-rolling); until then it is a spring of stiffness C/a, about that of Mindlin. So the velocity u that the
-creepage feels follows the velocity v of wheel against rail with u' = (v - u) V/a. Whatever moves wheel and
-rail alike, and steady rolling, are untouched; without it the explicit integration would need steps that
-shrink with the speed, and what it does beyond its limit looks like creep.
+roll about one semi-axis a before its traction is built up (from Cattaneo's shift to Carter's rolling; Kalker,
+Three-Dimensional Elastic Bodies in Rolling Contact, 1990, chapter 5, quoted from memory); until then it is a
+spring of stiffness C/a, about that of Mindlin. So the velocity u that the creepage feels follows the velocity
+v of wheel against rail with u' = (v - u) V/a. Whatever moves wheel and rail alike, and steady rolling, are
+untouched; without it the explicit integration would need steps that shrink with the speed, and what it does
+beyond its limit looks like creep.
 """
 
 from enum import IntEnum

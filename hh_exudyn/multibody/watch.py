@@ -15,9 +15,7 @@ FLANGE_TIP_MARGIN = 3e-3  # m above the flange tip: a contact so deep means that
 FLANGE_FROM = 0.02  # m towards the track centre on the wheel profile: nothing before it is flange
 LARGEST_LATERAL = 0.08  # m of a wheelset from the track centre: wheel and rail have parted
 LARGEST_SPEED = 10.0  # m/s of a wheelset across the track or up: no derailment is as fast, a blow-up is
-SMALLEST_ALTERNATION = (
-    1e-3  # of the vertical force: a lateral force that goes to and fro by less is no trouble
-)
+SMALLEST_ALTERNATION = 1e-3  # of the vertical force; a lateral force that alternates by less is no trouble
 ALTERNATIONS = 40  # steps in a row in which the lateral force goes to and fro: the integration is unstable
 
 _NORMAL_FORCE = int(Patch.NORMAL_FORCE)
@@ -85,39 +83,48 @@ def _flange_limit(table: SplineTable) -> float:
     return float(y[deep][0])
 
 
+_NONE = int(Trouble.NONE)
+_NOT_FINITE = int(Trouble.NOT_FINITE)
+_LIFT_OFF = int(Trouble.LIFT_OFF)
+_CLIMB = int(Trouble.CLIMB)
+_OFF_TRACK = int(Trouble.OFF_TRACK)
+_ALTERNATING = int(Trouble.ALTERNATING)
+_RUNAWAY = int(Trouble.RUNAWAY)
+
+
 @kernel
 def look(work: Workspace, state: WatchState, step: float) -> tuple[int, int, int]:
     """Look at an accepted state, `step` [s] after the last one: (`Trouble`, wheelset, side 0 or 1)."""
     for k in range(work.generalized_force.size):
         if not math.isfinite(work.generalized_force[k]):
-            return 1, -1, -1
+            return _NOT_FINITE, -1, -1
     for w in range(state.airborne.shape[0]):
         if max(abs(work.frame_velocity[w, 1]), abs(work.frame_velocity[w, 2])) > LARGEST_SPEED:
-            return 6, w, 0
+            return _RUNAWAY, w, 0
         lateral = work.frame_position[w, 1]
         if abs(lateral) > LARGEST_LATERAL:
-            return 4, w, 0 if lateral > 0.0 else 1
+            return _OFF_TRACK, w, 0 if lateral > 0.0 else 1
         for side in range(2):
             if work.patches[w, side, 0, _NORMAL_FORCE] > 0.0:
                 state.airborne[w, side] = 0.0
             else:
                 state.airborne[w, side] += step
                 if state.airborne[w, side] > LIFT_OFF_TIME:
-                    return 2, w, side
+                    return _LIFT_OFF, w, side
             for patch in range(work.patches.shape[2]):
                 state.floored[w, side] += work.patches[w, side, patch, _FLOORED]
                 if work.patches[w, side, patch, _NORMAL_FORCE] > 0.0 and (
                     work.patches[w, side, patch, _Y_WHEEL] > state.flange_limit[side]
                 ):
-                    return 3, w, side
+                    return _CLIMB, w, side
             change = work.rail_force[w, side, 0] - state.lateral_force[w, side]
             smallest = SMALLEST_ALTERNATION * abs(work.rail_force[w, side, 1])
             if change * state.change[w, side] < 0.0 and abs(change) > smallest:
                 state.alternations[w, side] += 1.0
                 if state.alternations[w, side] > ALTERNATIONS:
-                    return 5, w, side
+                    return _ALTERNATING, w, side
             else:
                 state.alternations[w, side] = 0.0
             state.lateral_force[w, side] += change
             state.change[w, side] = change
-    return 0, -1, -1
+    return _NONE, -1, -1
