@@ -20,7 +20,7 @@ a continuous function of the pose (but where three share a region and their two 
 import math
 
 from hh_exudyn.contact.profile_spline import spline_evaluate
-from hh_exudyn.contact.silhouette import WheelOnRail, gap_at, silhouette
+from hh_exudyn.contact.silhouette import WheelRailPair, gap_at, silhouette
 from hh_exudyn.contact.types import MAX_PATCHES, FloatArray
 from hh_exudyn.kernel import kernel
 
@@ -34,9 +34,10 @@ RADIUS = 7  # rolling radius [m]
 WHEEL_CURVATURE = 8  # lateral, convex positive [1/m]
 RAIL_CURVATURE = 9
 _DEPTH = 10  # vertical interpenetration [m]; the rest is working memory of the search
-_SADDLE = 11  # depth of the saddle towards the previous minimum, 0 where the regions are separate [m]
-_WEIGHT = 12  # of equation 1
-CONTACT_COLUMNS = 13
+SADDLE = 11  # depth of the saddle towards the previous minimum, 0 where the regions are separate [m]
+SADDLE_Y = 12  # where that saddle lies on the wheel profile [m]; no meaning where its depth is 0
+_WEIGHT = 13  # of equation 1
+CONTACT_COLUMNS = 14
 
 MAX_MINIMA = 12  # minima of one wheel that are kept; standard profiles have up to 4
 _RANGE_START, _RANGE_END = -0.035, 0.055  # m, the part of a wheel that can meet the rail head
@@ -59,12 +60,12 @@ _TURNING_ITERATIONS = 25  # to 1e-11 m: two minima that part in between are foun
 
 
 @kernel
-def find_contacts(pair: WheelOnRail, contacts: FloatArray) -> int:
+def find_contacts(pair: WheelRailPair, contacts: FloatArray) -> int:
     """Find all contact patches of one wheel (kernel: trusts its input).
 
     Parameters
     ----------
-    pair : WheelOnRail
+    pair : WheelRailPair
         Profiles and pose.
     contacts : FloatArray
         (MAX_MINIMA, CONTACT_COLUMNS) working memory and result: the first rows are the patches, deepest
@@ -92,10 +93,10 @@ def find_contacts(pair: WheelOnRail, contacts: FloatArray) -> int:
 
 
 @kernel
-def _find_minima(pair: WheelOnRail, contacts: FloatArray) -> int:
+def _find_minima(pair: WheelRailPair, contacts: FloatArray) -> int:
     """Sweep the wheel's nodes, find where the gap's slope changes sign, refine: rows of `contacts`.
 
-    In the order of y: Y_WHEEL, Y_RAIL, CONTACT_ANGLE, RAIL_CURVATURE, _DEPTH, _SADDLE, _WEIGHT (1).
+    In the order of y: Y_WHEEL, Y_RAIL, CONTACT_ANGLE, RAIL_CURVATURE, _DEPTH, SADDLE, SADDLE_Y, _WEIGHT (1).
     """
     # The loop is most of the cost of a contact: `silhouette` and `spline_evaluate` are written out with
     # their divisions taken out of it, and what a distant node does not need is left for later.
@@ -116,7 +117,7 @@ def _find_minima(pair: WheelOnRail, contacts: FloatArray) -> int:
     stride = 0
     i = first
     count = 0
-    saddle = 0.0  # depth of the saddle since the last minimum; 0 once the gap has opened
+    saddle, saddle_y = 0.0, 0.0  # of the saddle since the last minimum; its depth is 0 once the gap opened
     before = rate_before = gap_before = math.nan  # at the previous node; NaN where its gap was large
     while i <= last:
         spacing = stride * wheel.step  # to the node before
@@ -163,9 +164,10 @@ def _find_minima(pair: WheelOnRail, contacts: FloatArray) -> int:
                 sharp = abs(wheel.second[node]) > _SHARP
                 if sharp or crosses or _turns(before, rate_before, now, rate, spacing):
                     y = y_wheel - spacing
-                    count, saddle = _add_roots(
-                        pair, y, spacing, before, rate_before, now, rate, sharp, contacts, count, saddle
-                    )
+                    count, saddle, saddle_y = _add_roots(
+                        pair, y, spacing, before, rate_before, now, rate, sharp, contacts,
+                        count, saddle, saddle_y,
+                    )  # fmt: skip
         before, rate_before, gap_before = now, rate, gap
     return count
 
@@ -184,7 +186,7 @@ def _turns(before: float, rate_before: float, now: float, rate: float, spacing: 
 
 @kernel
 def _add_roots(
-    pair: WheelOnRail,
+    pair: WheelRailPair,
     start: float,
     spacing: float,
     before: float,
@@ -195,7 +197,8 @@ def _add_roots(
     contacts: FloatArray,
     count: int,
     saddle: float,
-) -> tuple[int, float]:
+    saddle_y: float,
+) -> tuple[int, float, float]:
     """All zeros of the gap's slope between two nodes; see `_add_root`."""
     parts = _SHARP_PARTS if sharp else 1
     width = spacing / parts
@@ -205,19 +208,25 @@ def _add_roots(
         if part < parts - 1:
             _, there, rate_there, _, _, _ = gap_at(pair, high)
         if (before < 0.0) != (there < 0.0):
-            count, saddle = _add_root(pair, low, high, before, there, contacts, count, saddle)
+            count, saddle, saddle_y = _add_root(
+                pair, low, high, before, there, contacts, count, saddle, saddle_y
+            )
         elif _turns(before, rate_before, there, rate_there, width):
             turn, extreme = _turning_point(pair, low, high, before, rate_before)
             if (extreme < 0.0) != (there < 0.0):
-                count, saddle = _add_root(pair, low, turn, before, extreme, contacts, count, saddle)
-                count, saddle = _add_root(pair, turn, high, extreme, there, contacts, count, saddle)
+                count, saddle, saddle_y = _add_root(
+                    pair, low, turn, before, extreme, contacts, count, saddle, saddle_y
+                )
+                count, saddle, saddle_y = _add_root(
+                    pair, turn, high, extreme, there, contacts, count, saddle, saddle_y
+                )
         before, rate_before = there, rate_there
-    return count, saddle
+    return count, saddle, saddle_y
 
 
 @kernel
 def _turning_point(
-    pair: WheelOnRail, low: float, high: float, before: float, rate_before: float
+    pair: WheelRailPair, low: float, high: float, before: float, rate_before: float
 ) -> tuple[float, float]:
     """A point between two nodes where the gap's slope has another sign than at both, and the slope there.
 
@@ -239,7 +248,7 @@ def _turning_point(
 
 @kernel
 def _add_root(
-    pair: WheelOnRail,
+    pair: WheelRailPair,
     low: float,
     high: float,
     at_low: float,
@@ -247,7 +256,8 @@ def _add_root(
     contacts: FloatArray,
     count: int,
     saddle: float,
-) -> tuple[int, float]:
+    saddle_y: float,
+) -> tuple[int, float, float]:
     """Find where the slope of the gap is zero between `low` and `high` and put it down.
 
     Newton's method, kept inside the bracket by bisection; `at_low` and `at_high` are the slopes there. A
@@ -255,8 +265,8 @@ def _add_root(
 
     Returns
     -------
-    count, saddle : float
-        Number of rows, and depth of the saddle since the last one.
+    count, saddle, saddle_y : float
+        Number of rows, and the depth and place of the saddle since the last one.
     """
     rising = at_high >= 0.0
     y = low + (high - low) * at_low / (at_low - at_high)
@@ -275,18 +285,19 @@ def _add_root(
         y = new
     depth = max(0.0, -gap)
     if not rising:
-        return count, min(saddle, depth)
+        return (count, depth, y) if depth < saddle else (count, saddle, saddle_y)
     if depth == 0.0 or count == MAX_MINIMA:
-        return count, 0.0
+        return count, 0.0, y
     row = contacts[count]
     row[Y_WHEEL] = y
     row[Y_RAIL] = y_rail
     row[CONTACT_ANGLE] = -math.atan(slope_rail)
     row[RAIL_CURVATURE] = -second_rail / (1.0 + slope_rail * slope_rail) ** 1.5
     row[_DEPTH] = depth
-    row[_SADDLE] = min(saddle, depth)
+    row[SADDLE] = min(saddle, depth)
+    row[SADDLE_Y] = saddle_y
     row[_WEIGHT] = 1.0
-    return count + 1, math.inf
+    return count + 1, math.inf, y
 
 
 @kernel
@@ -295,16 +306,16 @@ def _share(contacts: FloatArray, count: int) -> None:
     while True:
         joint = 0  # the group that begins at this row joins the group before it
         for i in range(1, count):
-            if contacts[i, _SADDLE] > 0.0 and (joint == 0 or contacts[i, _SADDLE] > contacts[joint, _SADDLE]):
+            if contacts[i, SADDLE] > 0.0 and (joint == 0 or contacts[i, SADDLE] > contacts[joint, SADDLE]):
                 joint = i
         if joint == 0:
             return
-        saddle = contacts[joint, _SADDLE]
-        contacts[joint, _SADDLE] = _JOINED
+        saddle = contacts[joint, SADDLE]
+        contacts[joint, SADDLE] = _JOINED
         first, after = joint - 1, joint + 1
-        while first > 0 and contacts[first, _SADDLE] == _JOINED:
+        while first > 0 and contacts[first, SADDLE] == _JOINED:
             first -= 1
-        while after < count and contacts[after, _SADDLE] == _JOINED:
+        while after < count and contacts[after, SADDLE] == _JOINED:
             after += 1
         d1 = contacts[first:joint, _DEPTH].max()
         d2 = contacts[joint:after, _DEPTH].max()

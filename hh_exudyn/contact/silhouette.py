@@ -20,7 +20,7 @@ from hh_exudyn.contact.types import FloatArray, SplineTable
 from hh_exudyn.kernel import kernel
 
 
-class WheelOnRail(NamedTuple):
+class WheelRailPair(NamedTuple):
     """One wheel above its rail: profiles and pose."""
 
     wheel: SplineTable
@@ -38,7 +38,7 @@ class WheelOnRail(NamedTuple):
 
 
 @kernel
-def wheel_on_rail(
+def wheel_rail_pair(
     wheel: SplineTable,
     rail: SplineTable,
     side: float,
@@ -48,9 +48,9 @@ def wheel_on_rail(
     axle: FloatArray,
     rail_y: float,
     rail_z: float,
-) -> WheelOnRail:
-    """A `WheelOnRail` from the vectors `position` and `axle`, (3,) each."""
-    return WheelOnRail(
+) -> WheelRailPair:
+    """A `WheelRailPair` from the vectors `position` and `axle`, (3,) each."""
+    return WheelRailPair(
         wheel,
         rail,
         side,
@@ -68,13 +68,13 @@ def wheel_on_rail(
 
 @kernel
 def silhouette(
-    pair: WheelOnRail, y_wheel: float, z: float, slope: float
+    pair: WheelRailPair, y_wheel: float, z: float, slope: float
 ) -> tuple[float, float, float, float]:
     """The point of a wheel's circle that can touch a prismatic rail (equation 1).
 
     Parameters
     ----------
-    pair : WheelOnRail
+    pair : WheelRailPair
         Wheel and pose.
     y_wheel, z, slope : float
         Position, height and slope of the wheel profile [m], [m], [-].
@@ -102,7 +102,7 @@ def silhouette(
 
 
 @kernel
-def gap_at(pair: WheelOnRail, y_wheel: float) -> tuple[float, float, float, float, float, float]:
+def gap_at(pair: WheelRailPair, y_wheel: float) -> tuple[float, float, float, float, float, float]:
     """Vertical gap between silhouette and rail at a point of the wheel profile.
 
     Returns

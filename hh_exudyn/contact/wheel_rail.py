@@ -32,7 +32,7 @@ from hh_exudyn.contact.search import (
     Y_WHEEL,
     find_contacts,
 )
-from hh_exudyn.contact.silhouette import wheel_on_rail
+from hh_exudyn.contact.silhouette import wheel_rail_pair
 from hh_exudyn.contact.tangential import THEORIES, force_kernel
 from hh_exudyn.contact.types import FloatArray, Patch, WheelRailModel
 from hh_exudyn.conventions import BACK_TO_BACK, FLANGE_BACK_TO_RUNNING_CIRCLE
@@ -213,7 +213,7 @@ def wheel_rail_forces(
             rail_z = rail_displacement[i, s, 1]
             if not _finite(position[i], axle[i], velocity[i], angular_velocity[i], rail_y + rail_z):
                 return 1 + 2 * i + s
-            pair = wheel_on_rail(
+            pair = wheel_rail_pair(
                 wheel,
                 rail,
                 side,

@@ -8,7 +8,7 @@ import pytest
 from hh_exudyn.contact.profile import gauge_point, rail_profile, wheel_profile
 from hh_exudyn.contact.profile_spline import spline_table
 from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
-from hh_exudyn.contact.silhouette import wheel_on_rail
+from hh_exudyn.contact.silhouette import wheel_rail_pair
 from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, SplineTable
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 from hh_exudyn.kernel import kernel
@@ -31,7 +31,9 @@ def _search_many(
     centre = position[1]
     for i in range(SEARCHES):
         position[1] = centre + amplitude * np.sin(0.01 * i)
-        found += find_contacts(wheel_on_rail(wheel, rail, 1.0, 0.75, 0.46, position, axle, rail_y, 0.0), rows)
+        found += find_contacts(
+            wheel_rail_pair(wheel, rail, 1.0, 0.75, 0.46, position, axle, rail_y, 0.0), rows
+        )
     position[1] = centre
     return found
 

@@ -13,7 +13,7 @@ from hh_exudyn.contact.hertz import normal_contact
 from hh_exudyn.contact.profile import gauge_point, rail_profile, wheel_profile
 from hh_exudyn.contact.profile_spline import spline_table
 from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
-from hh_exudyn.contact.silhouette import wheel_on_rail
+from hh_exudyn.contact.silhouette import wheel_rail_pair
 from hh_exudyn.contact.types import SplineTable
 
 R0, D, GAUGE = 0.46, 0.75, 1.435
@@ -34,7 +34,7 @@ class Pair:
 
     def contacts(self, y: float, z: float, yaw: float = 0.0, roll: float = 0.0) -> np.ndarray:
         rows = np.zeros((MAX_MINIMA, CONTACT_COLUMNS))
-        pair = wheel_on_rail(
+        pair = wheel_rail_pair(
             WHEEL, self.rail, self.side, D, R0, np.array([0.0, y, z]), axle(yaw, roll), self.rail_y, 0.0
         )
         return rows[: find_contacts(pair, rows)]
