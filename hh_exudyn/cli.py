@@ -1,5 +1,7 @@
 """The command ``hh-exudyn``: run a case, demo, damage, playback. It knows everything and computes nothing.
 
+The commands about one contact stand in `cli_contact`, what all commands share in `cli_output`.
+
 =========  ==================================================================================
 exit code  meaning
 =========  ==================================================================================
@@ -14,23 +16,29 @@ Everything heavy is imported inside the commands, so that ``--help`` answers at 
 """
 
 import sys
-import tempfile
-import traceback
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NoReturn
+from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.box import SIMPLE_HEAD
-from rich.console import Console
-from rich.markup import escape
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from hh_exudyn import __version__
-from hh_exudyn.case_errors import CaseError
+from hh_exudyn import __version__, cli_contact
+from hh_exudyn.cli_output import (
+    INTERRUPTED,
+    STOPPED,
+    Refused,
+    err,
+    fail,
+    kept,
+    new_table,
+    out,
+    print_table,
+    told,
+)
 
 if TYPE_CHECKING:
     import pyarrow
@@ -39,9 +47,7 @@ if TYPE_CHECKING:
     from hh_exudyn.case import Case
     from hh_exudyn.log.store import Run
 
-FAULT, BAD_INPUT, STOPPED, INTERRUPTED = 1, 2, 3, 130
 RECORDING = "playback.rrd"
-TABLE_WIDTH = 100  # of a table that goes into a file or a pipe
 
 app = typer.Typer(
     help="Wheel damage on heavy-haul railways.",
@@ -50,15 +56,10 @@ app = typer.Typer(
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
 )
-out = Console(soft_wrap=True, highlight=False)
-err = Console(stderr=True, soft_wrap=True, highlight=False)
+cli_contact.register(app)
 
 NewFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="New or empty folder for the run.")]
 RunFolder = Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")]
-
-
-class Refused(ValueError):
-    """What the user asked for cannot be done; the message is one line."""
 
 
 def main() -> None:
@@ -89,7 +90,7 @@ def run(
     case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file.")], out_folder: NewFolder
 ) -> None:
     """Simulate a case: logs, recording, and a table of the wheelsets in the last part of the run."""
-    with _told(out_folder):
+    with told(out_folder):
         from hh_exudyn.case import read_case
 
         _require_new(out_folder)
@@ -99,7 +100,7 @@ def run(
 @app.command()
 def demo(out_folder: NewFolder) -> None:
     """A loaded iron-ore wagon through a curve of 450 m: simulate, record, compute damage."""
-    with _told(out_folder):
+    with told(out_folder):
         from hh_exudyn.case import Case
 
         _require_new(out_folder)
@@ -118,7 +119,7 @@ def damage(
     ] = None,
 ) -> None:
     """Wear and rolling contact fatigue of a run's wheels, from its contact log: a table and figures."""
-    with _told(folder):
+    with told(folder):
         if out_folder is not None:
             _require_new(out_folder)
         _show_damage(_opened(folder), out_folder or folder / "damage")
@@ -133,7 +134,7 @@ def playback(
     ] = None,
 ) -> None:
     """Play a run in the rerun viewer, or save its recording."""
-    with _told(folder):
+    with told(folder):
         done = _opened(folder)
         if save is not None:
             if save.exists():
@@ -157,7 +158,7 @@ def _simulated(case: "Case", folder: Path) -> "Run":
         with _progress_bar(case.name) as progress:
             return simulate(case, folder, progress=progress)
     except (SimulationStopped, NoEquilibrium) as error:
-        _fail(STOPPED, f"{error}; {_kept(folder)}")
+        fail(STOPPED, f"{error}; {kept(folder)}")
     except (ValueError, OSError) as error:
         if not folder.exists():  # nothing was begun: the case cannot be built, or the folder not be made
             raise Refused(str(error)) from None
@@ -170,7 +171,7 @@ def _show_run(done: "Run") -> None:
 
     window = steady_window(done)
     _record(done, done.directory / RECORDING)
-    _print_table(_wheelset_table(wheelset_summary(done, window), window))
+    print_table(_wheelset_table(wheelset_summary(done, window), window))
     out.print("Y is positive outwards; attack and position are positive to the left")
     out.print(f"play it: hh-exudyn playback {done.directory}")
 
@@ -204,7 +205,7 @@ def _show_damage(done: "Run", folder: Path) -> None:
     pyarrow.csv.write_csv(table, folder / "damage.csv")
     for name, figure in figures.items():
         figure.savefig(folder / name, dpi=150)
-    _print_table(_damage_table(table))
+    print_table(_damage_table(table))
     out.print(f"damage: {folder} ({', '.join(['damage.csv', *figures])})")
 
 
@@ -223,7 +224,7 @@ def _opened(folder: Path) -> "Run":
 
 def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) -> Table:
     """The summary with units, a line per wheel; what belongs to the wheelset stands in its first line."""
-    table = _table(
+    table = new_table(
         f"Means from {window[0]:.2f} to {window[1]:.2f} s",
         ("wheel", "Q [kN]", "Y [kN]", "Y/Q [-]", "angle\u00a0of attack [mrad]", "lateral position [mm]",
          "p_max [MPa]", "wear number [N]", "FI>0 [%]"),
@@ -259,27 +260,13 @@ DAMAGE_COLUMNS = {  # column of the report: heading, factor, format
 
 def _damage_table(columns: "pyarrow.Table") -> Table:
     """The damage of every wheel over the whole run; ``damage.csv`` has more columns."""
-    table = _table(
+    table = new_table(
         "Damage over the whole run", ("wheel", *(heading for heading, _, _ in DAMAGE_COLUMNS.values()))
     )
     for row in columns.to_pylist():
         cells = (f"{row[name] * factor:{form}}" for name, (_, factor, form) in DAMAGE_COLUMNS.items())
         table.add_row(f"{row['wheelset']}{'L' if row['side'] > 0 else 'R'}", *cells)
     return table
-
-
-def _table(title: str, headings: tuple[str, ...]) -> Table:
-    """An empty table that fits into 80 columns: a word of the heading a line."""
-    table = Table(title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False)
-    for heading in headings:
-        table.add_column(escape(heading.replace(" ", "\n")), justify="right", no_wrap=True)
-    return table
-
-
-def _print_table(table: Table) -> None:
-    """Whole columns also where the output is a file or a narrow pipe."""
-    wide = out if out.is_terminal else Console(width=TABLE_WIDTH)
-    wide.print(table)
 
 
 def _require_new(folder: Path) -> None:
@@ -299,43 +286,3 @@ def _progress_bar(name: str) -> Iterator[Callable[[float, str], None]]:
     with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
         task = bar.add_task("equilibrium", total=1.0)
         yield lambda fraction, text: bar.update(task, completed=fraction, description=text)
-
-
-@contextmanager
-def _told(folder: Path) -> Iterator[None]:
-    """Turn what goes wrong in a command into one line on stderr and an exit code."""
-    try:
-        yield
-    except typer.Exit:
-        raise
-    except (CaseError, Refused) as error:
-        _fail(BAD_INPUT, str(error))
-    except KeyboardInterrupt:
-        _fail(INTERRUPTED, f"interrupted; {_kept(folder)}")
-    except Exception as error:
-        reason = " ".join(str(error).split()) or "no message"
-        _fail(FAULT, f"{type(error).__name__}: {reason}; traceback in {_written_traceback(folder)}")
-
-
-def _kept(folder: Path) -> str:
-    """Where the log so far is."""
-    if not (folder / "case.toml").is_file():
-        return "nothing was written"
-    return f"the log so far is kept in {folder}"
-
-
-def _written_traceback(folder: Path) -> Path:
-    """Write the traceback at hand into the run's folder, or a temporary one where that cannot be written."""
-    text = traceback.format_exc()
-    try:
-        path = folder / "error.txt"
-        path.write_text(text, encoding="utf-8")
-    except OSError:
-        path = Path(tempfile.mkdtemp(prefix="hh-exudyn-")) / "error.txt"
-        path.write_text(text, encoding="utf-8")
-    return path
-
-
-def _fail(code: int, message: str) -> NoReturn:
-    err.print(f"hh-exudyn: {message}", markup=False)
-    raise typer.Exit(code)

@@ -1,0 +1,245 @@
+"""The commands about one contact: ``patch``, ``validate``, ``conicity``. They compute nothing themselves.
+
+Millimetres, kilonewtons and per mille exist here and nowhere deeper. Everything heavy is imported inside the
+commands, so that ``--help`` answers at once.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import astuple
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+from rich.table import Table
+
+from hh_exudyn.cli_output import Refused, new_table, out, print_table, told
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from hh_exudyn.contact.profile import Profile
+    from hh_exudyn.contact.tangential import CreepForce, TractionField
+    from hh_exudyn.figures.patch import PatchLoad
+
+FIGURES = (".png", ".pdf", ".svg")
+NO_FIELD = "–"  # in the table of a patch, for a theory without a stress field
+
+NewFigure = Annotated[
+    Path | None,
+    typer.Option("--out", metavar="FIGURE", help="Write a figure to this new file (.png, .pdf, .svg)."),
+]
+validate = typer.Typer(help="Compare the toolkit with outside numbers.", no_args_is_help=True)
+
+
+def register(app: typer.Typer) -> None:
+    """Give the commands of this file to the program."""
+    app.command()(patch)
+    app.command()(conicity)
+    app.add_typer(validate, name="validate")
+
+
+def patch(
+    a_mm: Annotated[float, typer.Option(metavar="MM", help="Semi-axis of the patch in rolling direction.")],
+    b_mm: Annotated[float, typer.Option(metavar="MM", help="Lateral semi-axis.")],
+    load_kn: Annotated[float, typer.Option(metavar="KN", help="Normal force.")],
+    nu_x: Annotated[
+        float, typer.Option(metavar="-", help="Longitudinal creepage, wheel relative to rail.")
+    ] = 0.0,
+    nu_y: Annotated[float, typer.Option(metavar="-", help="Lateral creepage, positive to the left.")] = 0.0,
+    spin: Annotated[float, typer.Option(metavar="1/M", help="Spin creepage.")] = 0.0,
+    friction: Annotated[float, typer.Option(metavar="-", help="Friction coefficient.")] = 0.3,
+    theory: Annotated[
+        list[str] | None, typer.Option(metavar="NAME", help="Only this theory; may be repeated.")
+    ] = None,
+    cells: Annotated[
+        int, typer.Option(metavar="N", help="Cells along the patch, and strips across it.")
+    ] = 50,
+    figure: NewFigure = None,
+) -> None:
+    """Creep forces of one elliptic patch after every theory, side by side: a table and a figure."""
+    with told():
+        _check("--a-mm", a_mm, 0.1, 100.0, "mm")
+        _check("--b-mm", b_mm, 0.1, 100.0, "mm")
+        _check("--load-kn", load_kn, 0.001, 1000.0, "kN")
+        _check("--nu-x", nu_x, -1.0, 1.0, "")
+        _check("--nu-y", nu_y, -1.0, 1.0, "")
+        _check("--spin", spin, -100.0, 100.0, "1/m")
+        _check("--friction", friction, 0.001, 2.0, "")
+        _check("--cells", cells, 5, 400, "")
+        _require_new_figure(figure)
+        names = _theories(theory or [])
+        from hh_exudyn.contact.tangential import creep_force, traction_field
+        from hh_exudyn.contact.theories import FIELD_THEORIES
+        from hh_exudyn.figures.patch import PatchLoad, patch_figure
+
+        load = PatchLoad(a_mm * 1e-3, b_mm * 1e-3, load_kn * 1e3, nu_x, nu_y, spin, friction)
+        forces = {name: creep_force(name, *astuple(load), cells=(cells, cells)) for name in names}
+        fields = {
+            name: traction_field(name, *astuple(load), cells=(cells, cells))
+            for name in names
+            if name in FIELD_THEORIES
+        }
+        print_table(_patch_table(load, forces, fields))
+        out.print("Forces on the wheel; friction limit = friction * normal force; steel of 82 GPa, 0.28")
+        if figure is not None:
+            _write_figure(patch_figure(load, forces, fields), figure)
+
+
+def _patch_table(
+    load: "PatchLoad", forces: Mapping[str, "CreepForce"], fields: Mapping[str, "TractionField"]
+) -> Table:
+    """A line per theory; theories without a stress field leave the last two columns open."""
+    from hh_exudyn.contact.tangential import cell_areas
+
+    limit = load.friction * load.normal_force
+    pressure = 1.5 * load.normal_force / (math.pi * load.a * load.b)
+    table = new_table(
+        f"Patch of {2e3 * load.a:.4g} x {2e3 * load.b:.4g} mm under {load.normal_force * 1e-3:.4g} kN, "
+        f"Hertz pressure {pressure * 1e-6:.0f} MPa",
+        ("theory", "F_x [kN]", "F_y [kN]", "M_z [N\u00a0m]", "force over limit [%]", "max traction [MPa]",
+         "slip [%\u00a0of\u00a0area]"),
+    )  # fmt: skip
+    for name, force in forces.items():
+        stresses = [NO_FIELD, NO_FIELD]
+        if name in fields:
+            field = fields[name]
+            traction = (field.q_x**2 + field.q_y**2) ** 0.5
+            slides = (field.slip_x != 0.0) | (field.slip_y != 0.0)
+            areas = cell_areas(load.a, load.b, *slides.shape)
+            share = areas[slides].sum() / areas.sum()
+            stresses = [f"{traction.max() * 1e-6:.0f}", f"{100.0 * share:.0f}"]
+        table.add_row(
+            name,
+            f"{force.x * 1e-3:.2f}",
+            f"{force.y * 1e-3:.2f}",
+            f"{force.moment:.2f}",
+            f"{100.0 * math.hypot(force.x, force.y) / limit:.1f}",
+            *stresses,
+        )
+    return table
+
+
+@validate.command("contact")
+def validate_contact() -> None:
+    """Creep forces and stresses of every theory against the exact solution, over the reference cases."""
+    with told():
+        from hh_exudyn.contact.validation import contact_table
+
+        table = contact_table()
+
+
+def conicity(
+    wheel: Annotated[str, typer.Argument(metavar="WHEEL", help="Standard wheel profile, or a file.")],
+    rail: Annotated[str, typer.Argument(metavar="RAIL", help="Standard rail, or a file.")],
+    gauge_mm: Annotated[
+        list[float] | None, typer.Option(metavar="MM", help="Track gauge; may be repeated. [default: 1435]")
+    ] = None,
+    inclination: Annotated[
+        str | None,
+        typer.Option(metavar="1:N", help="Of a standard rail: 30, 1:30 or upright. [default: 1:30]"),
+    ] = None,
+    radius_mm: Annotated[
+        float, typer.Option(metavar="MM", help="Wheel radius at the running circle.")
+    ] = 460.0,
+    tape_distance_mm: Annotated[
+        float, typer.Option(metavar="MM", help="Distance of the two running circles.")
+    ] = 1500.0,
+    amplitude_mm: Annotated[
+        list[float] | None, typer.Option(metavar="MM", help="May be repeated. [default: 1 to 10]")
+    ] = None,
+    figure: NewFigure = None,
+) -> None:
+    """Equivalent conicity (EN 15302) and rolling radius difference of a wheelset on a track."""
+    with told():
+        gauges, amplitudes = gauge_mm or [1435.0], sorted(amplitude_mm or map(float, range(1, 11)))
+        for value in gauges:
+            _check("--gauge-mm", value, 500.0, 2000.0, "mm")
+        for value in amplitudes:
+            _check("--amplitude-mm", value, 0.1, 20.0, "mm")
+        _check("--radius-mm", radius_mm, 100.0, 2000.0, "mm")
+        _check("--tape-distance-mm", tape_distance_mm, 300.0, 3000.0, "mm")
+        _require_new_figure(figure)
+        profiles = _wheel(wheel), _rail(rail, inclination)
+
+
+def _theories(wanted: list[str]) -> list[str]:
+    """The theories asked for, all without a wish, in the order of the toolkit's own list."""
+    from hh_exudyn.contact.theories import THEORIES
+
+    for name in wanted:
+        if name not in THEORIES:
+            raise Refused(f"--theory {name}: unknown, allowed: {', '.join(THEORIES)}")
+    return [name for name in THEORIES if name in wanted or not wanted]
+
+
+def _wheel(name: str) -> "Profile":
+    """A standard wheel profile by its name, or one from a file."""
+    from hh_exudyn.contact.profile import WHEEL_PROFILES, read_wheel_profile, wheel_profile
+
+    if name in WHEEL_PROFILES:
+        return wheel_profile(name)
+    return _read("WHEEL", name, read_wheel_profile, WHEEL_PROFILES)
+
+
+def _rail(name: str, inclination: str | None) -> "Profile":
+    """A standard rail by its name, inclined, or one from a file, which lies as it was measured."""
+    from hh_exudyn.contact.profile import RAIL_PROFILES, rail_profile, read_rail_profile
+
+    if name in RAIL_PROFILES:
+        return rail_profile(name, _inclination(inclination or "1:30"))
+    if inclination is not None and Path(name).is_file():
+        raise Refused(f"--inclination {inclination}: for standard rails only, a file holds its rail inclined")
+    return _read("RAIL", name, read_rail_profile, RAIL_PROFILES)
+
+
+def _read(what: str, name: str, reader: Callable[[str], "Profile"], known: tuple[str, ...]) -> "Profile":
+    if not Path(name).is_file():
+        raise Refused(f"{what} {name}: no file and no standard profile, known: {', '.join(known)}")
+    try:
+        return reader(name)
+    except (ValueError, OSError) as error:
+        raise Refused(str(error)) from None
+
+
+def _inclination(text: str) -> float:
+    """Tangent of a rail's inclination from 30, 1:30 or upright."""
+    if text == "upright":
+        return 0.0
+    try:
+        slope = float(text.removeprefix("1:"))
+    except ValueError:
+        slope = math.nan
+    if not 10.0 <= abs(slope) <= 1e6:
+        raise Refused(
+            f"--inclination {text}: allowed upright, or 10 and more for 1:10 and less, as 30 or 1:30"
+        )
+    return 1.0 / slope
+
+
+def _check(option: str, value: float, low: float, high: float, unit: str) -> None:
+    """Refuse a number out of its range, NaN included."""
+    if not low <= value <= high:
+        raise Refused(
+            f"{option} {value:g}{unit and ' ' + unit}: allowed {low:g} to {high:g}{unit and ' ' + unit}"
+        )
+
+
+def _require_new_figure(path: Path | None) -> None:
+    """Refuse a figure that cannot be written, before any work."""
+    if path is None:
+        return
+    if path.suffix.lower() not in FIGURES:
+        raise Refused(f"--out {path}: allowed are {', '.join(FIGURES)}")
+    if path.exists():
+        raise Refused(f"--out {path}: exists already, allowed is a new file")
+    if not path.parent.is_dir():
+        raise Refused(f"--out {path}: there is no folder {path.parent}")
+
+
+def _write_figure(figure: "Figure", path: Path) -> None:
+    try:
+        figure.savefig(path, dpi=150)
+    except OSError as error:
+        raise Refused(f"--out {path}: {error.strerror}") from None
+    out.print(f"figure: {path}")
