@@ -6,14 +6,13 @@ commands, so that ``--help`` answers at once.
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import astuple
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.table import Table
 
-from hh_exudyn.cli_output import Refused, new_table, out, print_table, told
+from hh_exudyn.cli_output import Refused, err, new_table, out, print_table, told
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -23,7 +22,7 @@ if TYPE_CHECKING:
     from hh_exudyn.figures.patch import PatchLoad
 
 FIGURES = (".png", ".pdf", ".svg")
-NO_FIELD = "–"  # in the table of a patch, for a theory without a stress field
+NOTHING = "–"  # in a table, where there is no such number
 
 NewFigure = Annotated[
     Path | None,
@@ -74,9 +73,9 @@ def patch(
         from hh_exudyn.figures.patch import PatchLoad, patch_figure
 
         load = PatchLoad(a_mm * 1e-3, b_mm * 1e-3, load_kn * 1e3, nu_x, nu_y, spin, friction)
-        forces = {name: creep_force(name, *astuple(load), cells=(cells, cells)) for name in names}
+        forces = {name: creep_force(name, *load.arguments, cells=(cells, cells)) for name in names}
         fields = {
-            name: traction_field(name, *astuple(load), cells=(cells, cells))
+            name: traction_field(name, *load.arguments, cells=(cells, cells))
             for name in names
             if name in FIELD_THEORIES
         }
@@ -101,7 +100,7 @@ def _patch_table(
          "slip [%\u00a0of\u00a0area]"),
     )  # fmt: skip
     for name, force in forces.items():
-        stresses = [NO_FIELD, NO_FIELD]
+        stresses = [NOTHING, NOTHING]
         if name in fields:
             field = fields[name]
             traction = (field.q_x**2 + field.q_y**2) ** 0.5
@@ -111,10 +110,10 @@ def _patch_table(
             stresses = [f"{traction.max() * 1e-6:.0f}", f"{100.0 * share:.0f}"]
         table.add_row(
             name,
-            f"{force.x * 1e-3:.2f}",
-            f"{force.y * 1e-3:.2f}",
-            f"{force.moment:.2f}",
-            f"{100.0 * math.hypot(force.x, force.y) / limit:.1f}",
+            _number(force.x * 1e-3, 2),
+            _number(force.y * 1e-3, 2),
+            _number(force.moment, 2),
+            _number(100.0 * math.hypot(force.x, force.y) / limit, 1),
             *stresses,
         )
     return table
@@ -124,9 +123,17 @@ def _patch_table(
 def validate_contact() -> None:
     """Creep forces and stresses of every theory against the exact solution, over the reference cases."""
     with told():
-        from hh_exudyn.contact.validation import contact_table
+        from hh_exudyn.contact.validation import COLUMNS, contact_table, to_table
 
-        table = contact_table()
+        with err.status("comparing"):
+            rows = to_table(contact_table())
+        table = new_table("Errors of the tangential theories against the exact half-space solution", COLUMNS)
+        for row in rows:
+            table.add_row(*row)
+        print_table(table)
+        out.print(
+            "force: in % of friction * normal force; |q| traction, |s| slip, peak of |q|: in % of the exact"
+        )
 
 
 def conicity(
@@ -161,6 +168,52 @@ def conicity(
         _check("--tape-distance-mm", tape_distance_mm, 300.0, 3000.0, "mm")
         _require_new_figure(figure)
         profiles = _wheel(wheel), _rail(rail, inclination)
+        print_table(_conicity_table(*profiles, gauges, radius_mm, tape_distance_mm, amplitudes))
+        out.print(
+            "conicity at the amplitude y, radius difference left - right at the displacement y to the left,\n"
+            f"wheel radius {radius_mm:g} mm, tape distance {tape_distance_mm:g} mm"
+        )
+
+
+def _conicity_table(
+    wheel: "Profile",
+    rail: "Profile",
+    gauges_mm: list[float],
+    radius_mm: float,
+    tape_distance_mm: float,
+    amplitudes_mm: list[float],
+) -> Table:
+    """A line per amplitude; two columns per gauge. The same profiles on both sides."""
+    import numpy as np
+
+    from hh_exudyn.contact.functions import equivalent_conicity, rolling_radius_difference
+
+    headings, columns = ["y [mm]"], [[f"{value:g}" for value in amplitudes_mm]]
+    radius, tape_distance = radius_mm * 1e-3, tape_distance_mm * 1e-3
+    y = 1e-3 * np.array(amplitudes_mm)
+    for gauge_mm in gauges_mm:
+        gauge = gauge_mm * 1e-3
+        conicities = equivalent_conicity(
+            wheel, rail, wheel, rail, gauge=gauge, tape_distance=tape_distance,
+            radius_left=radius, radius_right=radius, amplitudes=y,
+        )  # fmt: skip
+        differences = rolling_radius_difference(
+            wheel, rail, wheel, rail, gauge=gauge, tape_distance=tape_distance,
+            radius_left=radius, radius_right=radius, lateral=y,
+        )  # fmt: skip
+        at = f"gauge {gauge_mm:g}\u00a0mm:"
+        headings += [f"{at} conicity [-]", f"{at} radius\u00a0diff. [mm]"]
+        columns.append([_number(value, 3) for value in conicities])
+        columns.append([_number(1e3 * value, 2) for value in differences])
+    table = new_table(f"{wheel.name} on {rail.name}", tuple(headings))
+    for cells in zip(*columns, strict=True):
+        table.add_row(*cells)
+    return table
+
+
+def _number(value: float, digits: int) -> str:
+    """A number of a table: no sign before a zero, a dash for NaN."""
+    return NOTHING if math.isnan(value) else f"{round(value, digits) + 0.0:.{digits}f}"
 
 
 def _theories(wanted: list[str]) -> list[str]:

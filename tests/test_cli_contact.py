@@ -55,7 +55,9 @@ def test_patch_prints_the_forces_of_every_theory() -> None:
 
 def test_patch_of_chosen_theories_with_a_figure(tmp_path: Path) -> None:
     path = tmp_path / "patch.png"
-    result = call(*PATCH, *CREEPAGE, "--theory", "fastrip", "--theory", "linear", "--cells", "10", "--out", path)
+    result = call(
+        *PATCH, *CREEPAGE, "--theory", "fastrip", "--theory", "linear", "--cells", "10", "--out", path
+    )
     assert result.exit_code == 0, result.stderr
     assert list(rows(result.stdout, "|".join(THEORIES))) == ["linear", "fastrip"]
     assert path.read_bytes().startswith(b"\x89PNG")

@@ -148,7 +148,9 @@ def _lower_end(y: FloatArray, dr: FloatArray, potential: FloatArray, amplitude: 
         return above - below
 
     even = _EVEN * float(np.abs(dr).max()) * amplitude
-    candidates = np.unique(np.concatenate([np.linspace(first, last, _SCAN), [_equilibrium(y, dr) - amplitude]]))
+    candidates = np.unique(
+        np.concatenate([np.linspace(first, last, _SCAN), [_equilibrium(y, dr) - amplitude]])
+    )
     candidates = candidates[(candidates >= first) & (candidates <= last)]
     values = unevenness(candidates)
     centre = _equilibrium(y, dr) - amplitude

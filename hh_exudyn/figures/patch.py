@@ -8,7 +8,7 @@ The patch is seen from above, in the contact frame: rolling direction to the rig
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -56,6 +56,11 @@ class PatchLoad:
     phi: float
     friction: float
 
+    @property
+    def arguments(self) -> tuple[float, float, float, float, float, float, float]:
+        """What `creep_force` and `traction_field` take after the theory."""
+        return self.a, self.b, self.normal_force, self.nu_x, self.nu_y, self.phi, self.friction
+
 
 def patch_figure(
     load: PatchLoad, forces: Mapping[str, CreepForce], fields: Mapping[str, TractionField]
@@ -90,13 +95,11 @@ def patch_figure(
         layout="constrained",
     )
     figure.suptitle(_title(load), fontsize=9)
-    parts: Sequence[SubFigure]
+    heights = (rows_height, bar_height) if fields else (bar_height,)
+    grid = figure.add_gridspec(len(heights), 1, height_ratios=heights)
     if fields:
-        parts = figure.subfigures(2, 1, height_ratios=(rows_height, bar_height))
-        _draw_fields(parts[0], load, fields)
-        _draw_forces(parts[1], load, forces)
-    else:
-        _draw_forces(figure.subfigures(1, 1), load, forces)
+        _draw_fields(figure.add_subfigure(grid[0]), load, fields)
+    _draw_forces(figure.add_subfigure(grid[-1]), load, forces)
     return figure
 
 

@@ -1,7 +1,6 @@
 """The figure of one patch shows the numbers that it was given."""
 
 import math
-from dataclasses import astuple
 from io import BytesIO
 
 import numpy as np
@@ -20,8 +19,8 @@ THEORIES = ("fastsim", "fastrip")
 def results(
     load: PatchLoad, cells: tuple[int, int] = (20, 20)
 ) -> tuple[dict[str, CreepForce], dict[str, TractionField]]:
-    forces = {name: creep_force(name, *astuple(load), cells=cells) for name in THEORIES}
-    return forces, {name: traction_field(name, *astuple(load), cells=cells) for name in THEORIES}
+    forces = {name: creep_force(name, *load.arguments, cells=cells) for name in THEORIES}
+    return forces, {name: traction_field(name, *load.arguments, cells=cells) for name in THEORIES}
 
 
 def panels(figure: Figure, columns: int) -> list[list[Axes]]:
