@@ -128,6 +128,7 @@ def validate_contact() -> None:
         with err.status("comparing"):
             rows = to_table(contact_table())
         table = new_table("Errors of the tangential theories against the exact half-space solution", COLUMNS)
+        table.padding = (0, 0, 0, 1)  # many columns
         for row in rows:
             table.add_row(*row)
         print_table(table)

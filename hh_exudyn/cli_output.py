@@ -16,7 +16,7 @@ from rich.table import Table
 from hh_exudyn.case_errors import CaseError
 
 FAULT, BAD_INPUT, STOPPED, INTERRUPTED = 1, 2, 3, 130  # exit codes, see `hh_exudyn.cli`
-TABLE_WIDTH = 100  # of a table that goes into a file or a pipe
+TABLE_WIDTH = 120  # at most, of a table that goes into a file or a pipe
 
 out = Console(soft_wrap=True, highlight=False)
 err = Console(stderr=True, soft_wrap=True, highlight=False)

@@ -63,7 +63,7 @@ def test_help_is_quick_to_answer() -> None:
     result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd="/", check=True)
     assert result.stdout.strip() == ""
     shown = call("--help").stdout
-    for name in ("run", "demo", "damage", "playback", "--version"):
+    for name in ("run", "demo", "damage", "playback", "patch", "validate", "conicity", "--version"):
         assert name in shown
 
 

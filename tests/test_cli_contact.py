@@ -3,12 +3,16 @@
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 from typer.testing import CliRunner, Result
 
 from hh_exudyn.cli import app
+from hh_exudyn.contact.functions import equivalent_conicity, rolling_radius_difference
+from hh_exudyn.contact.profile import rail_profile, wheel_profile
 from hh_exudyn.contact.tangential import creep_force
 from hh_exudyn.contact.theories import THEORIES
+from hh_exudyn.contact.validation import contact_table, to_table
 
 PATCH = ("patch", "--a-mm", "6", "--b-mm", "4", "--load-kn", "100")
 CREEPAGE = ("--nu-x", "1e-3", "--nu-y", "-5e-4", "--spin", "0.1", "--friction", "0.3")
@@ -89,3 +93,93 @@ def test_missing_option_is_exit_code_2() -> None:
     result = call("patch", "--a-mm", "6")
     assert result.exit_code == 2
     assert "--b-mm" in result.stderr
+
+
+def test_validate_contact_prints_the_table_of_errors() -> None:
+    result = call("validate", "contact")
+    assert result.exit_code == 0, result.stderr
+    assert "…" not in result.stdout  # nothing cut off
+    wanted = to_table(contact_table())
+    printed = [line.split() for line in result.stdout.splitlines()]
+    for row in wanted:
+        assert " ".join(row).split() in printed
+
+
+CONICITY = ("conicity", "S1002", "60E1")
+
+
+def test_conicity_over_amplitude_and_gauge() -> None:
+    result = call(
+        *CONICITY, "--gauge-mm", "1435", "--gauge-mm", "1445", "--amplitude-mm", "3", "--radius-mm", "500"
+    )
+    assert result.exit_code == 0, result.stderr
+    assert "S1002 on 60E1 1:30" in result.stdout
+    assert "wheel radius 500 mm, tape distance 1500 mm" in result.stdout
+    (cells,) = rows(result.stdout, "3").values()
+    wheel, rail = wheel_profile("S1002"), rail_profile("60E1", 1 / 30)
+    expected = []
+    for gauge in (1.435, 1.445):
+        track = {"gauge": gauge, "tape_distance": 1.5, "radius_left": 0.5, "radius_right": 0.5}
+        pair = (wheel, rail, wheel, rail)
+        expected += [
+            equivalent_conicity(*pair, amplitudes=np.array([3e-3]), **track)[0],
+            1e3 * rolling_radius_difference(*pair, lateral=np.array([3e-3]), **track)[0],
+        ]
+    np.testing.assert_allclose([float(cell) for cell in cells], expected, atol=5.1e-3)
+    assert float(cells[0]) > 5.0 * float(cells[2])  # a wide gauge makes S1002 on 60E1 nearly conical
+
+
+@pytest.mark.parametrize(
+    ("words", "name"), [(("30",), "1:30"), (("1:40",), "1:40"), (("upright",), "upright")]
+)
+def test_inclination_of_a_standard_rail(words: tuple[str, ...], name: str) -> None:
+    result = call(*CONICITY, "--amplitude-mm", "3", "--inclination", *words)
+    assert result.exit_code == 0, result.stderr
+    assert f"S1002 on 60E1 {name}\n" in re.sub(" +\n", "\n", result.stdout)
+
+
+def test_conicity_of_a_rail_from_a_file(tmp_path: Path) -> None:
+    """A standard rail written to a file gives the same numbers as by its name."""
+    rail = rail_profile("60E1", 1 / 40)
+    path = tmp_path / "measured.txt"
+    path.write_text("".join(f"{1e3 * y:.6f} {1e3 * z:.6f}\n" for y, z in zip(rail.y, rail.z, strict=True)))
+    by_name = call(*CONICITY, "--amplitude-mm", "4", "--inclination", "1:40")
+    by_file = call("conicity", "S1002", path, "--amplitude-mm", "4")
+    assert by_file.exit_code == 0, by_file.stderr
+    assert rows(by_file.stdout, "4") == rows(by_name.stdout, "4")
+    assert "for standard rails only" in refused("conicity", "S1002", path, "--inclination", "30")
+
+
+BAD_CONICITIES = {
+    "wheel": (("conicity", "S1003", "60E1"), "WHEEL S1003: no file and no standard profile, known: S1002"),
+    "rail": (("conicity", "S1002", "none.txt"), "RAIL none.txt: no file and no standard profile, known: "),
+    "gauge": ((*CONICITY, "--gauge-mm", "1.435"), "--gauge-mm 1.435 mm: allowed 500 to 2000 mm"),
+    "amplitude": ((*CONICITY, "--amplitude-mm", "0"), "--amplitude-mm 0 mm: allowed 0.1 to 20 mm"),
+    "inclination": ((*CONICITY, "--inclination", "0.05"), "--inclination 0.05: allowed upright, or "),
+    "radius": ((*CONICITY, "--radius-mm", "-460"), "--radius-mm -460 mm: allowed 100 to 2000 mm"),
+    "tape": ((*CONICITY, "--tape-distance-mm", "1.5"), "--tape-distance-mm 1.5 mm: allowed 300 to 3000 mm"),
+}
+
+
+@pytest.mark.parametrize("name", BAD_CONICITIES)
+def test_bad_conicity_is_one_line_and_exit_code_2(name: str) -> None:
+    words, message = BAD_CONICITIES[name]
+    assert message in refused(*words)
+
+
+def test_file_that_is_no_profile_is_bad_input(tmp_path: Path) -> None:
+    (tmp_path / "poem.txt").write_text("roses are red\n" * 30)
+    assert "poem.txt" in refused("conicity", tmp_path / "poem.txt", "60E1")
+    assert "poem.txt" in refused("conicity", "S1002", tmp_path / "poem.txt")
+
+
+def test_fault_of_the_program_is_one_line_and_a_traceback_on_disk(monkeypatch: pytest.MonkeyPatch) -> None:
+    def broken(*_: object, **__: object) -> None:
+        raise ZeroDivisionError("division\nby zero")
+
+    monkeypatch.setattr("hh_exudyn.contact.tangential.creep_force", broken)
+    result = call(*PATCH)
+    assert result.exit_code == 1
+    assert result.stderr.count("\n") == 1
+    path = Path(result.stderr.split("traceback in ")[1].strip())
+    assert "division" in path.read_text()
