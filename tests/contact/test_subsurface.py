@@ -1,6 +1,8 @@
 """Stresses below a line contact: the equations of elasticity, the loads at the border, published maxima."""
 
+import csv
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,6 +18,8 @@ from hh_exudyn.contact.subsurface import (
     stick_half_length,
 )
 
+REFERENCE = Path(__file__).resolve().parents[1] / "reference" / "shakedown_line_contact.csv"
+LIMITS = list(csv.DictReader(line for line in REFERENCE.read_text().splitlines() if not line.startswith("#")))
 A, P0, MU = 5e-3, 1.2e9, 0.35
 LOADS = {"no friction": 0.0, "full slip": 0.35, "full slip back": -0.35, "partial": 0.2, "partial back": -0.1}
 loads = pytest.mark.parametrize("ratio", LOADS.values(), ids=list(LOADS))
@@ -211,12 +215,33 @@ def test_maximum_without_friction() -> None:
     assert x == pytest.approx(0.0, abs=1e-4)
 
 
-@pytest.mark.parametrize(
-    ("friction", "limit"), [(0.0, 3.33), (0.1, 3.28), (0.2, 3.135), (0.3, 2.90), (0.4, 2.50)]
-)
-def test_elastic_limit(friction: float, limit: float) -> None:
-    """p0/k at first yield, Tresca in the plane (Johnson, 1985, and figure 3-8 of Hossein-Nia, 2018)."""
-    assert 1.0 / largest_shear(friction)[0] == pytest.approx(limit, abs=5e-3)
+@pytest.mark.parametrize("row", LIMITS, ids=[f"mu {row['friction']}" for row in LIMITS])
+def test_published_limits(row: dict[str, str]) -> None:
+    """Elastic limit and both shakedown limits: the smallest circle around all ((sx - sz)/2, tau_xz).
+
+    Its centre is the origin (elastic), on the axis (perfectly plastic), or free (kinematic hardening).
+    """
+    friction = float(row["friction"])
+    x, z = np.meshgrid(np.linspace(-4.0, 4.0, 801), np.append(0.0, np.geomspace(1e-3, 4.0, 150)))
+    field = stress(x, z, friction, friction)
+    across, up = 0.5 * (field.sigma_x - field.sigma_z), field.tau_xz
+
+    def smallest(free: int) -> float:
+        """Radius of the smallest circle whose centre has so many free coordinates."""
+        centre = np.zeros(2)
+
+        def radius(moved: np.ndarray) -> float:
+            centre[:free] = moved
+            return float(np.hypot(across - centre[0], up - centre[1]).max())
+
+        start = np.full(free, 0.02)
+        return minimize(radius, start, method="Nelder-Mead", options={"xatol": 1e-6, "fatol": 1e-8}).fun
+
+    if row["elastic"]:
+        assert 1.0 / largest_shear(friction)[0] == pytest.approx(float(row["elastic"]), abs=5e-3)
+    if row["perfectly_plastic"]:
+        assert 1.0 / smallest(1) == pytest.approx(float(row["perfectly_plastic"]), abs=2e-3)
+    assert 1.0 / smallest(2) == pytest.approx(float(row["kinematic"]), abs=1e-2)
 
 
 def test_maximum_reaches_the_surface_between_037_and_038() -> None:
