@@ -31,8 +31,8 @@ from hh_exudyn.contact.strips import (
     Y,
     fill_ellipse,
 )
-from hh_exudyn.contact.types import FloatArray
-from hh_exudyn.kernel import kernel, scratch
+from hh_exudyn.contact.types import FloatArray, Memory
+from hh_exudyn.kernel import kernel, memory, shaped
 
 _TINY = 1e-300  # keeps 0/0 from happening; far below every square that occurs [-]
 _MORE_THAN_ONE = 1.0 + 1e-12
@@ -164,9 +164,10 @@ def _sticks_until(w_x: float, w_y: float, spin: float) -> float:
 
 @kernel
 def _prepare(
-    strips: FloatArray, first: int, count: int, rolling: _Rolling, cells_x: int, s: FloatArray
+    strips: FloatArray, first: int, count: int, rolling: _Rolling, cells_x: int, state: Memory
 ) -> None:
     """Solve strip theory in a block of strips, and set the march at the node where each strip needs it."""
+    s = shaped(state, (_ROWS, GROUPS, LANES))
     step = 2.0 / cells_x
     for g in range((count + LANES - 1) // LANES):
         for lane in range(LANES):
@@ -216,8 +217,9 @@ def _prepare(
 
 
 @kernel
-def _add_slip(count: int, cells_x: int, s: FloatArray) -> None:
+def _add_slip(count: int, cells_x: int, state: Memory) -> None:
     """March a block of strips; sum over their slip zones sqrt(1 - xi^2) (t - (kappa, lambda))."""
+    s = shaped(state, (_ROWS, GROUPS, LANES))
     step = 2.0 / cells_x
     for k in range(cells_x):
         node = 1.0 - (k + 1) * step
@@ -247,15 +249,16 @@ def _add_slip(count: int, cells_x: int, s: FloatArray) -> None:
 
 @kernel
 def _block_force(
-    strips: FloatArray, first: int, count: int, rolling: _Rolling, cells_x: int, weight: float, s: FloatArray
+    strips: FloatArray, first: int, count: int, rolling: _Rolling, cells_x: int, weight: float, state: Memory
 ) -> tuple[float, float, float, float]:
     """F_x, F_y [N], M_z [N m] of a block of strips over pi/2 friction, and its normal force over pi/2.
 
     Both semi-ellipses of equation 2.45 are integrated exactly, over the whole strip and over its stick zone;
     only the slip zone's difference to them is summed over cells.
     """
-    _prepare(strips, first, count, rolling, cells_x, s)
-    _add_slip(count, cells_x, s)
+    s = shaped(state, (_ROWS, GROUPS, LANES))
+    _prepare(strips, first, count, rolling, cells_x, state)
+    _add_slip(count, cells_x, state)
     force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
     for row in range(count):
         g, lane = row // LANES, row % LANES
@@ -333,12 +336,12 @@ def force_on_strips(
     rolling = _rolling(
         a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio, c11, c22, c23
     )
-    s = scratch((_ROWS, GROUPS, LANES), _STATE_SIZE)
+    state = memory(_STATE_SIZE)
     weight = _cell_weight(cells_x)
     force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
     for first in range(0, count, BLOCK):
         number = min(count - first, BLOCK)
-        x, y, m, load = _block_force(strips, first, number, rolling, cells_x, weight, s)
+        x, y, m, load = _block_force(strips, first, number, rolling, cells_x, weight, state)
         force_x, force_y, moment_z, total = force_x + x, force_y + y, moment_z + m, total + load
     if total <= 0.0:
         return 0.0, 0.0, 0.0
@@ -365,15 +368,15 @@ def force(
     rolling = _rolling(
         a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio, c11, c22, c23
     )
-    s = scratch((_ROWS, GROUPS, LANES), _STATE_SIZE)
-    strips = scratch((BLOCK, STRIP_COLUMNS), _STRIPS_SIZE)
+    state = memory(_STATE_SIZE)
+    strips = shaped(memory(_STRIPS_SIZE), (BLOCK, STRIP_COLUMNS))
     weight = _cell_weight(cells_x)
     max_pressure = 1.5 * normal_force / (math.pi * a * b)
     force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
     for first in range(0, cells_y, BLOCK):
         number = min(cells_y - first, BLOCK)
         fill_ellipse(a, b, max_pressure, first, number, cells_y, strips)
-        x, y, m, load = _block_force(strips, 0, number, rolling, cells_x, weight, s)
+        x, y, m, load = _block_force(strips, 0, number, rolling, cells_x, weight, state)
         force_x, force_y, moment_z, total = force_x + x, force_y + y, moment_z + m, total + load
     scale = friction * normal_force / total
     return force_x * scale, force_y * scale, moment_z * scale
@@ -381,9 +384,10 @@ def force(
 
 @kernel
 def _directions(
-    first: int, count: int, cells_x: int, s: FloatArray, q_x: FloatArray, q_y: FloatArray
+    first: int, count: int, cells_x: int, state: Memory, q_x: FloatArray, q_y: FloatArray
 ) -> None:
     """March a block of strips; fill q with the direction of traction in the cells from there (no unit vectors)."""
+    s = shaped(state, (_ROWS, GROUPS, LANES))
     step = 2.0 / cells_x
     for k in range(cells_x):
         i = cells_x - 1 - k  # from the leading edge
@@ -473,7 +477,7 @@ def _fill_block(
     creepages: tuple[float, float, float],
     friction: float,
     strain: tuple[float, float],
-    s: FloatArray,
+    state: Memory,
     pressure: FloatArray,
     q_x: FloatArray,
     q_y: FloatArray,
@@ -482,8 +486,9 @@ def _fill_block(
 ) -> tuple[float, float]:
     """Fill the rows from `row` with the strips from `first`; return work and power as `_fill_strip` [N]."""
     cells_x = pressure.shape[1]
-    _prepare(strips, first, count, rolling, cells_x, s)
-    _directions(row, count, cells_x, s, q_x, q_y)
+    s = shaped(state, (_ROWS, GROUPS, LANES))
+    _prepare(strips, first, count, rolling, cells_x, state)
+    _directions(row, count, cells_x, state, q_x, q_y)
     work, power = 0.0, 0.0
     for n in range(count):
         g, lane = n // LANES, n % LANES
@@ -542,12 +547,12 @@ def field_on_strips(
         a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio, c11, c22, c23
     )
     strain = (0.5 * math.pi**2 / (shear_modulus * c11), 0.5 * math.pi**2 / (shear_modulus * c22))
-    s = scratch((_ROWS, GROUPS, LANES), _STATE_SIZE)
+    state = memory(_STATE_SIZE)
     work, power = 0.0, 0.0
     for first in range(0, count, BLOCK):
         number = min(count - first, BLOCK)
         one_work, one_power = _fill_block(
-            strips, first, first, number, rolling, (nu_x, nu_y, phi), friction, strain, s,
+            strips, first, first, number, rolling, (nu_x, nu_y, phi), friction, strain, state,
             pressure, q_x, q_y, slip_x, slip_y,
         )  # fmt: skip
         work, power = work + one_work, power + one_power
@@ -584,15 +589,15 @@ def field(
         a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio, c11, c22, c23
     )
     strain = (0.5 * math.pi**2 / (shear_modulus * c11), 0.5 * math.pi**2 / (shear_modulus * c22))
-    s = scratch((_ROWS, GROUPS, LANES), _STATE_SIZE)
-    strips = scratch((BLOCK, STRIP_COLUMNS), _STRIPS_SIZE)
+    state = memory(_STATE_SIZE)
+    strips = shaped(memory(_STRIPS_SIZE), (BLOCK, STRIP_COLUMNS))
     max_pressure = 1.5 * normal_force / (math.pi * a * b)
     work, power = 0.0, 0.0
     for first in range(0, cells_y, BLOCK):
         number = min(cells_y - first, BLOCK)
         fill_ellipse(a, b, max_pressure, first, number, cells_y, strips)
         one_work, one_power = _fill_block(
-            strips, 0, first, number, rolling, (nu_x, nu_y, phi), friction, strain, s,
+            strips, 0, first, number, rolling, (nu_x, nu_y, phi), friction, strain, state,
             pressure, q_x, q_y, slip_x, slip_y,
         )  # fmt: skip
         work, power = work + one_work, power + one_power
