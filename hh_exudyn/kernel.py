@@ -1,4 +1,4 @@
-"""The one door to numba: the decorator `kernel`, and `Bundle` for arguments of many arrays.
+"""The one door to numba: the decorator `kernel`, `memory` for scratch arrays, and `Bundle` for arguments of many arrays.
 
 Numba's file cache does not notice when a kernel in ANOTHER file changes, and then runs old code without
 a word. Here the cache folder is named by the hash of every source that kernels are made of, so that any
@@ -9,6 +9,7 @@ A kernel never raises: it returns a status or NaN, and its caller raises with wh
 """
 
 import hashlib
+import math
 import os
 import warnings
 from collections.abc import Callable
@@ -16,8 +17,12 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numba
+import numpy as np
 from numba import types
+from numba.core import cgutils
 from numba.experimental import structref
+from numba.extending import intrinsic
+from numpy.typing import NDArray
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -76,6 +81,39 @@ def kernel(function: F) -> F:
     """
     compiled: F = numba.njit(cache=_FOLDER is not None, error_model="numpy", nogil=True)(function)
     return compiled
+
+
+@intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
+def _on_stack(typing_context: Any, count: Any) -> Any:
+    """Pointer to `count` floats (a constant) on the stack of the kernel that asks for them."""
+    if not isinstance(count, types.IntegerLiteral):
+        return None
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        number = context.get_constant(types.intp, count.literal_value)
+        slot = cgutils.alloca_once(builder, context.get_value_type(types.float64), size=number)
+        slot.align = 64  # a vector register of any processor
+        return slot
+
+    return types.CPointer(types.float64)(count), generate
+
+
+def _plain_memory(count: int) -> NDArray[np.float64]:
+    return np.empty(count)
+
+
+def _plain_shaped(place: NDArray[np.float64], shape: tuple[int, ...]) -> NDArray[np.float64]:
+    return place[: math.prod(shape)].reshape(shape)
+
+
+# `memory(count)`: uninitialised memory for `count` floats (a constant) on the stack, gone when the kernel returns.
+# `shaped(place, shape)`: the array of a constant shape that lies there. A shape known to the compiler tells it
+# which parts cannot overlap, and that decides whether a loop becomes vector instructions. An array passed on
+# to another kernel loses its shape: so the memory is passed on, and shaped again.
+memory: Callable[[int], Any] = _plain_memory if numba.config.DISABLE_JIT else _on_stack
+shaped: Callable[[Any, tuple[int, ...]], NDArray[np.float64]] = (
+    _plain_shaped if numba.config.DISABLE_JIT else numba.carray
+)
 
 
 @structref.register
