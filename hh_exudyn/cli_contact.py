@@ -39,15 +39,17 @@ def register(app: typer.Typer) -> None:
 
 
 def patch(
-    a_mm: Annotated[float, typer.Option(metavar="MM", help="Semi-axis of the patch in rolling direction.")],
-    b_mm: Annotated[float, typer.Option(metavar="MM", help="Lateral semi-axis.")],
-    load_kn: Annotated[float, typer.Option(metavar="KN", help="Normal force.")],
+    a_mm: Annotated[float, typer.Option(metavar="mm", help="Semi-axis of the patch in rolling direction.")],
+    b_mm: Annotated[float, typer.Option(metavar="mm", help="Lateral semi-axis.")],
+    load_kn: Annotated[float, typer.Option(metavar="kN", help="Normal force.")],
     nu_x: Annotated[
-        float, typer.Option(metavar="-", help="Longitudinal creepage, wheel relative to rail.")
+        float, typer.Option(metavar="NUMBER", help="Longitudinal creepage, wheel relative to rail.")
     ] = 0.0,
-    nu_y: Annotated[float, typer.Option(metavar="-", help="Lateral creepage, positive to the left.")] = 0.0,
-    spin: Annotated[float, typer.Option(metavar="1/M", help="Spin creepage.")] = 0.0,
-    friction: Annotated[float, typer.Option(metavar="-", help="Friction coefficient.")] = 0.3,
+    nu_y: Annotated[
+        float, typer.Option(metavar="NUMBER", help="Lateral creepage, positive to the left.")
+    ] = 0.0,
+    spin: Annotated[float, typer.Option(metavar="1/m", help="Spin creepage.")] = 0.0,
+    friction: Annotated[float, typer.Option(metavar="NUMBER", help="Friction coefficient.")] = 0.3,
     theory: Annotated[
         list[str] | None, typer.Option(metavar="NAME", help="Only this theory; may be repeated.")
     ] = None,
@@ -68,6 +70,7 @@ def patch(
         _check("--cells", cells, 5, 400, "")
         _require_new_figure(figure)
         names = _theories(theory or [])
+        from hh_exudyn.contact.material import STEEL
         from hh_exudyn.contact.tangential import creep_force, traction_field
         from hh_exudyn.contact.theories import FIELD_THEORIES
         from hh_exudyn.figures.patch import PatchLoad, patch_figure
@@ -80,7 +83,10 @@ def patch(
             if name in FIELD_THEORIES
         }
         print_table(_patch_table(load, forces, fields))
-        out.print("Forces on the wheel; friction limit = friction * normal force; steel of 82 GPa, 0.28")
+        out.print(
+            "forces on the wheel; limit: friction * normal force; "
+            f"steel: G = {STEEL.shear_modulus * 1e-9:g} GPa, nu = {STEEL.poisson_ratio:g}"
+        )
         if figure is not None:
             _write_figure(patch_figure(load, forces, fields), figure)
 
@@ -141,20 +147,20 @@ def conicity(
     wheel: Annotated[str, typer.Argument(metavar="WHEEL", help="Standard wheel profile, or a file.")],
     rail: Annotated[str, typer.Argument(metavar="RAIL", help="Standard rail, or a file.")],
     gauge_mm: Annotated[
-        list[float] | None, typer.Option(metavar="MM", help="Track gauge; may be repeated. [default: 1435]")
+        list[float] | None, typer.Option(metavar="mm", help="Track gauge; may be repeated. [default: 1435]")
     ] = None,
     inclination: Annotated[
         str | None,
         typer.Option(metavar="1:N", help="Of a standard rail: 30, 1:30 or upright. [default: 1:30]"),
     ] = None,
     radius_mm: Annotated[
-        float, typer.Option(metavar="MM", help="Wheel radius at the running circle.")
+        float, typer.Option(metavar="mm", help="Wheel radius at the running circle.")
     ] = 460.0,
     tape_distance_mm: Annotated[
-        float, typer.Option(metavar="MM", help="Distance of the two running circles.")
+        float, typer.Option(metavar="mm", help="Distance of the two running circles.")
     ] = 1500.0,
     amplitude_mm: Annotated[
-        list[float] | None, typer.Option(metavar="MM", help="May be repeated. [default: 1 to 10]")
+        list[float] | None, typer.Option(metavar="mm", help="May be repeated. [default: 1 to 10]")
     ] = None,
     figure: NewFigure = None,
 ) -> None:
