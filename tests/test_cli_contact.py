@@ -9,7 +9,7 @@ from typer.testing import CliRunner, Result
 
 from hh_exudyn.cli import app
 from hh_exudyn.contact.functions import equivalent_conicity, rolling_radius_difference
-from hh_exudyn.contact.profile import rail_profile, wheel_profile
+from hh_exudyn.contact.profile import Profile, rail_profile, read_rail_profile, wheel_profile
 from hh_exudyn.contact.tangential import creep_force
 from hh_exudyn.contact.theories import THEORIES
 from hh_exudyn.contact.validation import contact_table, to_table
@@ -108,6 +108,17 @@ def test_validate_contact_prints_the_table_of_errors() -> None:
 CONICITY = ("conicity", "S1002", "60E1")
 
 
+def conicity_and_difference(rail: Profile, amplitude: float, gauge: float, radius: float) -> list[float]:
+    """What the library says of an S1002 wheelset: conicity [-] and rolling radius difference [mm]."""
+    pair = (wheel_profile("S1002"), rail) * 2
+    track = {"gauge": gauge, "tape_distance": 1.5, "radius_left": radius, "radius_right": radius}
+    y = np.array([amplitude])
+    return [
+        equivalent_conicity(*pair, amplitudes=y, **track)[0],
+        1e3 * rolling_radius_difference(*pair, lateral=y, **track)[0],
+    ]
+
+
 def test_conicity_over_amplitude_and_gauge() -> None:
     result = call(
         *CONICITY, "--gauge-mm", "1435", "--gauge-mm", "1445", "--amplitude-mm", "3", "--radius-mm", "500"
@@ -115,38 +126,38 @@ def test_conicity_over_amplitude_and_gauge() -> None:
     assert result.exit_code == 0, result.stderr
     assert "S1002 on 60E1 1:30" in result.stdout
     assert "wheel radius 500 mm, tape distance 1500 mm" in result.stdout
-    (cells,) = rows(result.stdout, "3").values()
-    wheel, rail = wheel_profile("S1002"), rail_profile("60E1", 1 / 30)
-    expected = []
-    for gauge in (1.435, 1.445):
-        track = {"gauge": gauge, "tape_distance": 1.5, "radius_left": 0.5, "radius_right": 0.5}
-        pair = (wheel, rail, wheel, rail)
-        expected += [
-            equivalent_conicity(*pair, amplitudes=np.array([3e-3]), **track)[0],
-            1e3 * rolling_radius_difference(*pair, lateral=np.array([3e-3]), **track)[0],
-        ]
-    np.testing.assert_allclose([float(cell) for cell in cells], expected, atol=5.1e-3)
-    assert float(cells[0]) > 5.0 * float(cells[2])  # a wide gauge makes S1002 on 60E1 nearly conical
+    values = [float(cell) for cell in rows(result.stdout, "3")["3"]]
+    rail = rail_profile("60E1", 1 / 30)
+    expected = [
+        number for gauge in (1.435, 1.445) for number in conicity_and_difference(rail, 3e-3, gauge, 0.5)
+    ]
+    np.testing.assert_allclose(values[::2], expected[::2], atol=5.1e-4)
+    np.testing.assert_allclose(values[1::2], expected[1::2], atol=5.1e-3)
+    assert values[0] > 5.0 * values[2]  # a wide gauge takes S1002 away from the 60E1's gauge corner
 
 
 @pytest.mark.parametrize(
-    ("words", "name"), [(("30",), "1:30"), (("1:40",), "1:40"), (("upright",), "upright")]
+    ("text", "inclination", "name"),
+    [("30", 1 / 30, "1:30"), ("1:40", 1 / 40, "1:40"), ("upright", 0, "upright")],
 )
-def test_inclination_of_a_standard_rail(words: tuple[str, ...], name: str) -> None:
-    result = call(*CONICITY, "--amplitude-mm", "3", "--inclination", *words)
+def test_inclination_of_a_standard_rail(text: str, inclination: float, name: str) -> None:
+    result = call(*CONICITY, "--amplitude-mm", "3", "--inclination", text)
     assert result.exit_code == 0, result.stderr
     assert f"S1002 on 60E1 {name}\n" in re.sub(" +\n", "\n", result.stdout)
+    expected = conicity_and_difference(rail_profile("60E1", inclination), 3e-3, 1.435, 0.46)
+    assert float(rows(result.stdout, "3")["3"][0]) == pytest.approx(expected[0], abs=5.1e-4)
 
 
 def test_conicity_of_a_rail_from_a_file(tmp_path: Path) -> None:
-    """A standard rail written to a file gives the same numbers as by its name."""
     rail = rail_profile("60E1", 1 / 40)
     path = tmp_path / "measured.txt"
     path.write_text("".join(f"{1e3 * y:.6f} {1e3 * z:.6f}\n" for y, z in zip(rail.y, rail.z, strict=True)))
-    by_name = call(*CONICITY, "--amplitude-mm", "4", "--inclination", "1:40")
-    by_file = call("conicity", "S1002", path, "--amplitude-mm", "4")
-    assert by_file.exit_code == 0, by_file.stderr
-    assert rows(by_file.stdout, "4") == rows(by_name.stdout, "4")
+    result = call("conicity", "S1002", path, "--amplitude-mm", "4")
+    assert result.exit_code == 0, result.stderr
+    assert "S1002 on measured" in result.stdout
+    expected = conicity_and_difference(read_rail_profile(path), 4e-3, 1.435, 0.46)
+    values = [float(cell) for cell in rows(result.stdout, "4")["4"]]
+    assert values == [pytest.approx(expected[0], abs=5.1e-4), pytest.approx(expected[1], abs=5.1e-3)]
     assert "for standard rails only" in refused("conicity", "S1002", path, "--inclination", "30")
 
 
