@@ -165,18 +165,13 @@ def _lower_end(y: FloatArray, dr: FloatArray, potential: FloatArray, amplitude: 
 
 def _equilibrium(y: FloatArray, dr: FloatArray) -> float:
     """The zero of dr nearest to y = 0 (middle of a dead band); 0 where dr has no zero."""
-    zero = np.flatnonzero((dr[:-1] <= 0.0) & (dr[1:] >= 0.0) | (dr[:-1] >= 0.0) & (dr[1:] <= 0.0))
-    if zero.size == 0:
-        return 0.0
-    k = int(zero[np.argmin(np.minimum(np.abs(y[zero]), np.abs(y[zero + 1])))])
-    if dr[k] == 0.0 or dr[k + 1] == 0.0:
-        begin = end = k if dr[k] == 0.0 else k + 1
-        while begin > 0 and dr[begin - 1] == 0.0:
-            begin -= 1
-        while end < len(dr) - 1 and dr[end + 1] == 0.0:
-            end += 1
-        return float(0.5 * (y[begin] + y[end]))
-    return float(y[k] - dr[k] * (y[k + 1] - y[k]) / (dr[k + 1] - dr[k]))
+    zeros = []
+    flat = np.concatenate([[False], dr == 0.0, [False]])
+    begins, ends = np.flatnonzero(flat[1:] & ~flat[:-1]), np.flatnonzero(flat[:-1] & ~flat[1:])
+    zeros.extend(0.5 * (y[begins] + y[ends - 1]))
+    k = np.flatnonzero(dr[:-1] * dr[1:] < 0.0)
+    zeros.extend(y[k] - dr[k] * (y[k + 1] - y[k]) / (dr[k + 1] - dr[k]))
+    return float(min(zeros, key=abs, default=0.0))
 
 
 def _stretch(
