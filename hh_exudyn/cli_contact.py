@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from hh_exudyn.contact.profile import Profile
+    from hh_exudyn.contact.steering import ConicityReport
     from hh_exudyn.contact.tangential import CreepForce, TractionField
     from hh_exudyn.figures.patch import PatchLoad
 
@@ -166,7 +167,8 @@ def conicity(
 ) -> None:
     """Equivalent conicity (EN 15302) and rolling radius difference of a wheelset on a track."""
     with told():
-        gauges, amplitudes = gauge_mm or [1435.0], sorted(amplitude_mm or map(float, range(1, 11)))
+        gauges = sorted(set(gauge_mm or [1435.0]))
+        amplitudes = sorted(set(amplitude_mm or map(float, range(1, 11))))
         for value in gauges:
             _check("--gauge-mm", value, 500.0, 2000.0, "mm")
         for value in amplitudes:
@@ -175,47 +177,63 @@ def conicity(
         _check("--tape-distance-mm", tape_distance_mm, 300.0, 3000.0, "mm")
         _require_new_figure(figure)
         profiles = _wheel(wheel), _rail(rail, inclination)
-        print_table(_conicity_table(*profiles, gauges, radius_mm, tape_distance_mm, amplitudes))
+        import numpy as np
+
+        from hh_exudyn.contact.steering import conicity_report
+
+        reports = {}
+        for gauge in gauges:
+            try:
+                reports[f"gauge {gauge:g} mm"] = conicity_report(
+                    *profiles,
+                    radius=radius_mm * 1e-3,
+                    gauge=gauge * 1e-3,
+                    tape_distance=tape_distance_mm * 1e-3,
+                    amplitudes=np.array(amplitudes) * 1e-3,
+                )
+            except ValueError as error:  # the pair does not touch on this gauge
+                raise Refused(str(error)) from None
+        print_table(_conicity_table(f"{profiles[0].name} on {profiles[1].name}", reports))
+        for name, report in reports.items():
+            out.print(f"{name}: {_summary(report)}")
         out.print(
-            "conicity at the amplitude y, radius difference left - right at the displacement y to the left,\n"
+            "conicity at the amplitude y; radius difference left - right at the displacement y to the left;\n"
             f"wheel radius {radius_mm:g} mm, tape distance {tape_distance_mm:g} mm"
         )
+        if figure is not None:
+            from hh_exudyn.figures.conicity_sheet import conicity_sheet
+
+            _write_figure(conicity_sheet(*profiles, reports), figure)
 
 
-def _conicity_table(
-    wheel: "Profile",
-    rail: "Profile",
-    gauges_mm: list[float],
-    radius_mm: float,
-    tape_distance_mm: float,
-    amplitudes_mm: list[float],
-) -> Table:
-    """A line per amplitude; two columns per gauge. The same profiles on both sides."""
+def _conicity_table(title: str, reports: Mapping[str, "ConicityReport"]) -> Table:
+    """A line per amplitude, two columns per report."""
     import numpy as np
 
-    from hh_exudyn.contact.functions import equivalent_conicity, rolling_radius_difference
-
-    headings, columns = ["y [mm]"], [[f"{value:g}" for value in amplitudes_mm]]
-    radius, tape_distance = radius_mm * 1e-3, tape_distance_mm * 1e-3
-    y = 1e-3 * np.array(amplitudes_mm)
-    for gauge_mm in gauges_mm:
-        gauge = gauge_mm * 1e-3
-        conicities = equivalent_conicity(
-            wheel, rail, wheel, rail, gauge=gauge, tape_distance=tape_distance,
-            radius_left=radius, radius_right=radius, amplitudes=y,
-        )  # fmt: skip
-        differences = rolling_radius_difference(
-            wheel, rail, wheel, rail, gauge=gauge, tape_distance=tape_distance,
-            radius_left=radius, radius_right=radius, lateral=y,
-        )  # fmt: skip
-        at = f"gauge {gauge_mm:g}\u00a0mm:"
+    amplitudes = next(iter(reports.values())).amplitudes
+    headings, columns = ["y [mm]"], [[f"{1e3 * amplitude:g}" for amplitude in amplitudes]]
+    for name, report in reports.items():
+        at = name.replace(" mm", "\u00a0mm:")
         headings += [f"{at} conicity [-]", f"{at} radius\u00a0diff. [mm]"]
-        columns.append([_number(value, 3) for value in conicities])
+        differences = np.interp(
+            amplitudes, report.functions.lateral, report.functions.radius_difference, right=math.nan
+        )
+        columns.append([_number(value, 3) for value in report.conicity])
         columns.append([_number(1e3 * value, 2) for value in differences])
-    table = new_table(f"{wheel.name} on {rail.name}", tuple(headings))
+    table = new_table(title, tuple(headings))
     for cells in zip(*columns, strict=True):
         table.add_row(*cells)
     return table
+
+
+def _summary(report: "ConicityReport") -> str:
+    """What stands beside the table."""
+    return (
+        f"flange touches at {_number(1e3 * report.clearance_right, 2)} and "
+        f"{_number(1e3 * report.clearance_left, 2)} mm, "
+        f"conicity at 3 mm {_number(report.reference_conicity, 3)}, "
+        f"nonlinearity {_number(1e-3 * report.nonlinearity, 3)} 1/mm"
+    )
 
 
 def _number(value: float, digits: int) -> str:

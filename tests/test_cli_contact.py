@@ -161,6 +161,25 @@ def test_conicity_of_a_rail_from_a_file(tmp_path: Path) -> None:
     assert "for standard rails only" in refused("conicity", "S1002", path, "--inclination", "30")
 
 
+def test_beyond_the_flange_clearance_there_is_no_conicity(tmp_path: Path) -> None:
+    """S1002 on 60E1 at 1435 mm has some 6.5 mm to the flange."""
+    path = tmp_path / "sheet.png"
+    result = call(*CONICITY, "--gauge-mm", "1445", "--gauge-mm", "1435", "--amplitude-mm", "8", "--out", path)
+    assert result.exit_code == 0, result.stderr
+    cells = rows(result.stdout, "8")["8"]
+    assert cells[0] == "–"  # the smaller gauge first
+    assert float(cells[1]) > 10.0  # mm: the left wheel runs on its flange
+    assert 0.0 < float(cells[2]) < 0.1
+    at = re.findall(r"flange touches at -(\d+\.\d+) and (\d+\.\d+) mm", result.stdout)
+    assert [float(left) for _, left in at] == pytest.approx([6.5, 11.5], abs=0.3)
+    assert all(right == left for right, left in at)
+    assert path.read_bytes().startswith(b"\x89PNG")
+
+
+def test_gauge_on_which_nothing_touches_is_bad_input() -> None:
+    assert "gauge = 1.6 m" in refused(*CONICITY, "--gauge-mm", "1600")
+
+
 BAD_CONICITIES = {
     "wheel": (("conicity", "S1003", "60E1"), "WHEEL S1003: no file and no standard profile, known: S1002"),
     "rail": (("conicity", "S1002", "none.txt"), "RAIL none.txt: no file and no standard profile, known: "),
