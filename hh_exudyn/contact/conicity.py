@@ -148,7 +148,9 @@ def _lower_end(y: FloatArray, dr: FloatArray, potential: FloatArray, amplitude: 
         return above - below
 
     even = _EVEN * float(np.abs(dr).max()) * amplitude
-    candidates = np.unique(np.concatenate([np.linspace(first, last, _SCAN), [_equilibrium(y, dr) - amplitude]]))
+    candidates = np.unique(
+        np.concatenate([np.linspace(first, last, _SCAN), [_equilibrium(y, dr) - amplitude]])
+    )
     candidates = candidates[(candidates >= first) & (candidates <= last)]
     values = unevenness(candidates)
     centre = _equilibrium(y, dr) - amplitude
@@ -163,7 +165,7 @@ def _lower_end(y: FloatArray, dr: FloatArray, potential: FloatArray, amplitude: 
 
 def _equilibrium(y: FloatArray, dr: FloatArray) -> float:
     """The zero of dr nearest to y = 0 (middle of a dead band); 0 where dr has no zero."""
-    zeros = []
+    zeros: list[float] = []
     flat = np.concatenate([[False], dr == 0.0, [False]])
     begins, ends = np.flatnonzero(flat[1:] & ~flat[:-1]), np.flatnonzero(flat[:-1] & ~flat[1:])
     zeros.extend(0.5 * (y[begins] + y[ends - 1]))

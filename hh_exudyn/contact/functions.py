@@ -1,9 +1,9 @@
 """Contact geometry functions: how wheel and rail touch over the lateral displacement, no force asked.
 
-Rigid contact: the wheels neither sink into the rails nor lift off. For a wheel these are the functions that
-GENSYS's KPF tabulates (contact positions on wheel and rail, rolling radius, contact angle, wheel lift, lateral
-curvatures); for a wheelset also the roll that keeps both wheels on the rails and the rolling radius
-difference. What the difference does to the motion is in `conicity`.
+Rigid contact: the wheels neither sink into the rails nor lift off. For a wheel these are the functions
+that GENSYS's KPF tabulates (contact positions on wheel and rail, rolling radius, contact angle, wheel lift,
+lateral curvatures); for a wheelset also the roll that keeps both wheels on the rails and the rolling radius
+difference. What the difference does to the motion is in `conicity`, what it is worth on a track in `steering`.
 
 The displacement is that of the wheelset to the left, y of the track frame. The rolling radius difference is
 r_left - r_right, so that it is positive where a displacement to the left steers back to the right; EN 15302's
@@ -299,7 +299,7 @@ def equivalent_conicity(
     FloatArray
         (m,) tan gamma_e; see `conicity.conicity_from_radius_difference` for what zero, negative values and
         NaN mean. An amplitude beyond the flange clearance is answered too (the wheel climbs its flange,
-        the conicity rises steeply): `clearance.flange_clearance` tells where that begins.
+        the conicity rises steeply): `steering.flange_clearance` tells where that begins.
 
     Raises
     ------

@@ -156,9 +156,13 @@ def line_rail_coordinates(name: str) -> tuple[FloatArray, FloatArray]:
     relief = _RELIEFS[name]
     along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))]) * 1e3
     along -= np.interp(0.0, y, along)
-    depth = relief.depth * 1e-3 * (
-        _smooth_step((along - relief.start) / (relief.full - relief.start))
-        - _smooth_step((along - relief.fade) / (relief.end - relief.fade))
+    depth = (
+        relief.depth
+        * 1e-3
+        * (
+            _smooth_step((along - relief.start) / (relief.full - relief.start))
+            - _smooth_step((along - relief.fade) / (relief.end - relief.fade))
+        )
     )
     slope = np.arctan2(np.gradient(z), np.gradient(y))
     return y + depth * np.sin(slope), z - depth * np.cos(slope)
