@@ -1,8 +1,8 @@
 """Stand-ins for the profiles of the Malmbanan line, whose drawings are not public.
 
 EVERY NUMBER HERE IS ASSUMED, chosen so that what Hossein-Nia (thesis, KTH 2018, section 1.1.4 and Table 1-8)
-says of the profiles holds; nothing else is known of them. A wheel is a chain of arcs and straights with common
-tangents, as drawings are; a rail is a 60E1 whose gauge corner is ground off by a smooth depth.
+says of the profiles holds; nothing else is known of them. A wheel is a chain of arcs and straights with
+common tangents, as drawings are; a rail is a 60E1 whose gauge corner is ground off by a smooth depth.
 
 ==============  =======================================================================================
 ``WP4_like``    wagon wheel: flange 26.89 mm thick, 29.08 mm high, qR 10.07 mm (Table 1-8, new wheel)
