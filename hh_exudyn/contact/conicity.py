@@ -165,7 +165,7 @@ def _lower_end(y: FloatArray, dr: FloatArray, potential: FloatArray, amplitude: 
 
 def _equilibrium(y: FloatArray, dr: FloatArray) -> float:
     """The zero of dr nearest to y = 0 (middle of a dead band); 0 where dr has no zero."""
-    zeros = []
+    zeros: list[float] = []
     flat = np.concatenate([[False], dr == 0.0, [False]])
     begins, ends = np.flatnonzero(flat[1:] & ~flat[:-1]), np.flatnonzero(flat[:-1] & ~flat[1:])
     zeros.extend(0.5 * (y[begins] + y[ends - 1]))

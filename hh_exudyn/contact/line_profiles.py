@@ -1,8 +1,8 @@
 """Stand-ins for the profiles of the Malmbanan line, whose drawings are not public.
 
 EVERY NUMBER HERE IS ASSUMED, chosen so that what Hossein-Nia (thesis, KTH 2018, section 1.1.4 and Table 1-8)
-says of the profiles holds; nothing else is known of them. A wheel is a chain of arcs and straights with common
-tangents, as drawings are; a rail is a 60E1 whose gauge corner is ground off by a smooth depth.
+says of the profiles holds; nothing else is known of them. A wheel is a chain of arcs and straights with
+common tangents, as drawings are; a rail is a 60E1 whose gauge corner is ground off by a smooth depth.
 
 ==============  =======================================================================================
 ``WP4_like``    wagon wheel: flange 26.89 mm thick, 29.08 mm high, qR 10.07 mm (Table 1-8, new wheel)
@@ -156,9 +156,13 @@ def line_rail_coordinates(name: str) -> tuple[FloatArray, FloatArray]:
     relief = _RELIEFS[name]
     along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))]) * 1e3
     along -= np.interp(0.0, y, along)
-    depth = relief.depth * 1e-3 * (
-        _smooth_step((along - relief.start) / (relief.full - relief.start))
-        - _smooth_step((along - relief.fade) / (relief.end - relief.fade))
+    depth = (
+        relief.depth
+        * 1e-3
+        * (
+            _smooth_step((along - relief.start) / (relief.full - relief.start))
+            - _smooth_step((along - relief.fade) / (relief.end - relief.fade))
+        )
     )
     slope = np.arctan2(np.gradient(z), np.gradient(y))
     return y + depth * np.sin(slope), z - depth * np.cos(slope)

@@ -174,7 +174,7 @@ class ConicityReport:
 
 
 def _default_amplitudes() -> FloatArray:
-    return np.arange(1, 9) * 1e-3
+    return np.arange(1.0, 9.0) * 1e-3
 
 
 def conicity_report(
@@ -215,7 +215,7 @@ def conicity_report(
         rail_left,
         wheel_right or wheel_left,
         rail_right or rail_left,
-        lateral=CONICITY_STEP * np.arange(-steps, steps + 1),
+        lateral=CONICITY_STEP * np.arange(-steps, steps + 1, dtype=np.float64),
         radius_left=radius,
         radius_right=radius,
         gauge=gauge,

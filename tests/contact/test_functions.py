@@ -1,10 +1,10 @@
 """Contact geometry functions and equivalent conicity: EN 15302's benchmark, cones, symmetry, bad input.
 
-The wheels A, B, H, I and rail A are read where they lie; the standard's results are in tests/reference. The rail
-file departs from a smooth head by up to 0.07 mm at its gauge corner and by some micrometres on its crown. So the
-radius difference of this nearly conformal pair (E1) moves in small jumps where the standard's is smooth, the gauge
-point lies 0.02 mm from where the standard has it (1435.16 mm = 1500 mm - 2 x 32.42 mm), and the last displacement
-before the tables end, on the flange, is off.
+The wheels A, B, H, I and rail A are read where they lie; the standard's results are in tests/reference. The
+rail file departs from a smooth head by up to 0.07 mm at its gauge corner and by some micrometres on its
+crown. So the radius difference of this nearly conformal pair (E1) moves in small jumps where the standard's
+is smooth, the gauge point lies 0.02 mm from where the standard has it (1435.16 = 1500 - 2 x 32.42 mm), and
+the last displacement before the tables end, on the flange, is off.
 """
 
 import csv
@@ -173,7 +173,9 @@ def test_the_roll_sets_both_wheels_on_the_rails() -> None:
     flat = wheelset_functions(
         wheel, rail, wheel, rail, lateral=lateral, radius_left=0.46, radius_right=0.46, roll=0.0
     )
-    rolled = wheelset_functions(wheel, rail, wheel, rail, lateral=lateral, radius_left=0.46, radius_right=0.46)
+    rolled = wheelset_functions(
+        wheel, rail, wheel, rail, lateral=lateral, radius_left=0.46, radius_right=0.46
+    )
     near = np.abs(lateral) < 2e-3
     distance = 1.5 - flat.left.y_wheel - flat.right.y_wheel
     distance -= 0.46 * (np.tan(flat.left.contact_angle) + np.tan(flat.right.contact_angle))
@@ -304,9 +306,7 @@ def test_bad_input_is_named() -> None:
     with pytest.raises(ValueError, match="must not decrease"):
         conicity_from_radius_difference(table, table, radius=0.46, tape_distance=1.5, amplitudes=here + 1e-3)
     with pytest.raises(ValueError, match="positive"):
-        conicity_from_radius_difference(
-            table[:2], table[:2], radius=0.46, tape_distance=1.5, amplitudes=here
-        )
+        conicity_from_radius_difference(table[:2], table[:2], radius=0.46, tape_distance=1.5, amplitudes=here)
     short = wheelset_functions(
         wheel, rail, wheel, rail, lateral=np.linspace(-1e-3, 1e-3, 5), radius_left=0.46, radius_right=0.46
     )
