@@ -1,9 +1,10 @@
-"""Figures of the contact, as the papers show them: plain results in, matplotlib's own Figure out.
+"""Figures of the contact, as the papers show them: plain results in, matplotlib's own figures and axes out.
 
-=============  ==========================================================================================
-`patch`        one patch, all theories side by side: traction, stick and slip, slip velocity, forces
-`conicity`     wheel and rail over the lateral displacement: rolling radius difference, conicity, positions
-=============  ==========================================================================================
+================  ======================================================================================
+`patch`           one patch, all theories side by side: traction, stick and slip, slip velocity, forces
+`conicity`        panels over the lateral displacement: conicity, radius difference, contact positions
+`conicity_sheet`  these panels on one sheet, for a wheel on a rail at several gauges
+================  ======================================================================================
 
 They need no display and compute no physics.
 """
