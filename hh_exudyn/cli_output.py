@@ -76,13 +76,15 @@ def fail(code: int, message: str) -> NoReturn:
 
 def new_table(title: str, headings: tuple[str, ...]) -> Table:
     """An empty table that fits into 80 columns: a word of the heading a line."""
-    table = Table(title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False)
+    table = Table(title=title, box=SIMPLE_HEAD, pad_edge=False)
     for heading in headings:
         table.add_column(escape(heading.replace(" ", "\n")), justify="right", no_wrap=True)
     return table
 
 
 def print_table(table: Table) -> None:
-    """Whole columns also where the output is a file or a narrow pipe."""
+    """The title on a line of its own, and whole columns also where the output is a file or a narrow pipe."""
     wide = out if out.is_terminal else Console(width=TABLE_WIDTH)
+    out.print(table.title, markup=False)
+    table.title = None  # rich would break it at the table's width
     wide.print(table)
