@@ -13,5 +13,8 @@
 `fastrip`         Sichani, Enblom and Berg, 2016: strip theory with FASTSIM directions
 `tangential`      one signature for all tangential theories: `creep_force`, `traction_field`
 `wheel_rail`      pose and velocity of wheelsets and rails -> wrenches and contact states, in one kernel
+`functions`       no force: rolling radius difference, equivalent conicity (`contact_geometry`, `conicity`,
+                  `rigid_contact`), and what they are worth on a track: `steering`
+`line_profiles`   stand-ins for the profiles of the Malmbanan line, all assumed
 ================  ===================================================================================
 """

@@ -10,12 +10,18 @@ from pathlib import Path
 
 import numpy as np
 
+from hh_exudyn.contact.line_profiles import (
+    LINE_RAILS,
+    LINE_WHEELS,
+    line_rail_coordinates,
+    line_wheel_coordinates,
+)
 from hh_exudyn.contact.standard_profiles import RAIL_HEADS, rail_head_coordinates, s1002_coordinates
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.conventions import FLANGE_BACK_TO_RUNNING_CIRCLE, GAUGE_MEASURING_DEPTH
 
-WHEEL_PROFILES = ("S1002",)
-RAIL_PROFILES = RAIL_HEADS
+WHEEL_PROFILES = ("S1002", *LINE_WHEELS)
+RAIL_PROFILES = (*RAIL_HEADS, *LINE_RAILS)
 FLANGE_THICKNESS_DEPTH = 0.010  # m below the tread at the running circle, EN 13715
 MAX_INCLINATION = 0.1  # larger values are angles in degrees or slopes upside down (1:20 is 0.05)
 
@@ -74,7 +80,7 @@ def wheel_profile(name: str) -> Profile:
     Parameters
     ----------
     name : str
-        ``"S1002"``: UIC 510-2, flange 28 mm high and 32.5 mm thick.
+        ``"S1002"``: UIC 510-2, flange 28 mm high and 32.5 mm thick; or a stand-in of `line_profiles`.
 
     Raises
     ------
@@ -83,7 +89,9 @@ def wheel_profile(name: str) -> Profile:
     """
     if name not in WHEEL_PROFILES:
         raise ValueError(f"unknown wheel profile {name!r}; known: {', '.join(WHEEL_PROFILES)}")
-    return Profile(name, "wheel", *s1002_coordinates())
+    return Profile(
+        name, "wheel", *(line_wheel_coordinates(name) if name in LINE_WHEELS else s1002_coordinates())
+    )
 
 
 def rail_profile(name: str, inclination: float = 1 / 30) -> Profile:
@@ -92,7 +100,8 @@ def rail_profile(name: str, inclination: float = 1 / 30) -> Profile:
     Parameters
     ----------
     name : str
-        A rail head of EN 13674-1: ``"54E1"``, ``"54E2"``, ``"60E1"`` or ``"60E2"``.
+        A rail head of EN 13674-1: ``"54E1"``, ``"54E2"``, ``"60E1"`` or ``"60E2"``; or a stand-in of
+        `line_profiles`.
     inclination : float
         Tangent of the angle between the rail's axis of symmetry and the vertical, e.g. 1/30; positive
         leans inwards (the head is rotated towards the track centre) [-]. Range -0.1 .. 0.1.
@@ -114,7 +123,7 @@ def rail_profile(name: str, inclination: float = 1 / 30) -> Profile:
             f"inclination = {inclination} (tangent), allowed {-MAX_INCLINATION} .. {MAX_INCLINATION}; "
             "1:30 is 1/30"
         )
-    y, z = rail_head_coordinates(name)
+    y, z = line_rail_coordinates(name) if name in LINE_RAILS else rail_head_coordinates(name)
     angle = math.atan(inclination)
     leaning_y = y * math.cos(angle) + z * math.sin(angle)
     leaning_z = -y * math.sin(angle) + z * math.cos(angle)

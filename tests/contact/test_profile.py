@@ -17,6 +17,7 @@ from hh_exudyn.contact.profile import (
     wheel_profile,
 )
 from hh_exudyn.contact.profile_spline import MAX_SLOPE, spline_evaluate, spline_table
+from hh_exudyn.contact.standard_profiles import RAIL_HEADS
 
 MM = 1e-3
 
@@ -91,7 +92,7 @@ def test_gauge_corner_ends_at_the_flank(name: str, y: float, z: float) -> None:
     assert rail.z[flank] == pytest.approx(z * MM, abs=1e-6)
 
 
-@pytest.mark.parametrize("name", RAIL_PROFILES)
+@pytest.mark.parametrize("name", RAIL_HEADS)
 @pytest.mark.parametrize("inclination", [0.0, 1 / 40, 1 / 30, 1 / 20])
 def test_inclined_rails_lean_inwards(name: str, inclination: float) -> None:
     rail = rail_profile(name, inclination)
