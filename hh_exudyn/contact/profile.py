@@ -40,7 +40,8 @@ def wheel_profile(name: str) -> Profile:
     Parameters
     ----------
     name : str
-        ``"S1002"``: UIC 510-2, flange 28 mm high and 32.5 mm thick.
+        ``"S1002"``: UIC 510-2, flange 28 mm high and 32.5 mm thick; from the chamfer (-60 mm) over the
+        flange tip (55 mm) to the flange back (70 mm).
 
     Raises
     ------
@@ -54,6 +55,10 @@ def wheel_profile(name: str) -> Profile:
 
 def rail_profile(name: str, inclination: float = 1 / 30) -> Profile:
     """A standard rail, inclined towards the track centre.
+
+    The whole head, flank to flank: at any allowed inclination both sides reach at least 15 mm below the top,
+    past the gauge point and past the steepest slope of a spline table (1:20 leaning 1:20 is upright, and
+    beyond that the profile ends where the flank does not go outwards any more).
 
     Parameters
     ----------

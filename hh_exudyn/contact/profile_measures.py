@@ -1,13 +1,14 @@
 """What a gauge reads from a profile: Sh, Sd, qR, flange angle, hollow tread; wear of a rail head.
 
-Wheel measures as in EN 15313 and UIC 510-2, from the running circle 70 mm from the flange back:
+Wheel measures as in EN 15313 and UIC 510-2, from the running circle 70 mm from the flange back (the lengths
+of 70, 10 and 2 mm are MiniProf's default too, greenwood.dk/miniprofstandardcalc.php, read 2026):
 
 * Sh, flange height: from the running circle to the flange tip.
 * Sd, flange thickness: from the flange back to the flange face, 10 mm below the tread at the running circle.
 * qR: horizontal distance between the points of the face 10 mm below the tread and 2 mm above the flange tip.
 
-A new S1002 has Sh = 28 mm and Sd = 32.5 mm (UIC 510-2, EN 13715); its qR of 10.79 mm follows from the
-drawing.
+A new S1002 has Sh = 28 mm and Sd = 32.5 mm (UIC 510-2, EN 13715); its qR of 10.794 mm follows from the
+sections of the drawing (no published figure at hand).
 """
 
 import math
@@ -26,6 +27,7 @@ _QR_FROM_TIP = 0.002  # m, EN 15313
 _ANGLE_BASE = 1e-3  # m of arc length over which the flange angle is taken: not the slope of one scratch
 _TREAD_END = 0.025  # m towards the flange: where a hollow can lie; beyond it the flange root rises
 _CHAMFER = 0.010  # m at the outer end of a wheel profile, where the rim may be rounded or burred
+_LEAST_SIDE_DEPTH, _LARGEST_SIDE_DEPTH = 0.005, 0.025  # m
 _FIELD_SIDE_START = -0.012  # m from the top's middle: alignment uses the profile outside of it
 
 
@@ -112,10 +114,10 @@ class RailWear:
     vertical : float
         W1: height lost at the middle of the reference's running surface [m].
     side : float
-        W2: width lost on the gauge side, 14 mm below the reference's top [m].
+        W2: width lost on the gauge side, `side_depth` below the reference's top [m].
     corner : float
         W3: loss at the gauge corner along the line at 45 degrees through the crossing of the reference's
-        top level and its gauge face at 14 mm [m].
+        top level and its gauge face at `side_depth` [m].
     """
 
     vertical: float
@@ -123,7 +125,13 @@ class RailWear:
     corner: float
 
 
-def rail_wear(worn: Profile, reference: Profile, dy: float = 0.0, dz: float = 0.0) -> RailWear:
+def rail_wear(
+    worn: Profile,
+    reference: Profile,
+    dy: float = 0.0,
+    dz: float = 0.0,
+    side_depth: float = GAUGE_MEASURING_DEPTH,
+) -> RailWear:
     """Head wear W1, W2 and W3 of a worn rail.
 
     Reading a file puts every rail's highest point at z = 0, which hides W1: the worn rail must first be put
@@ -135,6 +143,8 @@ def rail_wear(worn: Profile, reference: Profile, dy: float = 0.0, dz: float = 0.
         Rails in side coordinates; the reference with the inclination that the worn rail has.
     dy, dz : float
         Added to the worn rail's coordinates [m].
+    side_depth : float
+        Where W2 is measured, below the reference's top [m], 5 .. 25 mm; national rules differ.
 
     Raises
     ------
@@ -144,8 +154,12 @@ def rail_wear(worn: Profile, reference: Profile, dy: float = 0.0, dz: float = 0.
     for rail in (worn, reference):
         if rail.kind != "rail":
             raise ValueError(f"profile {rail.name!r} is a wheel's; wear of a rail head needs rails")
+    if not _LEAST_SIDE_DEPTH <= side_depth <= _LARGEST_SIDE_DEPTH:
+        raise ValueError(
+            f"side_depth = {side_depth} m, allowed {_LEAST_SIDE_DEPTH} .. {_LARGEST_SIDE_DEPTH} m"
+        )
     top = float(reference.z.max())
-    level = top - GAUGE_MEASURING_DEPTH
+    level = top - side_depth
     face = _crossing(reference, reference.y, reference.z, level)
     middle = face - 0.5 * _head_width(reference, level)
     worn_y, worn_z = worn.y + dy, worn.z + dz

@@ -123,6 +123,17 @@ def test_smoothing_spreads_the_jump_of_curvature_and_keeps_the_arcs() -> None:
     assert min(abs(value - middle) for value in jump) < 0.4  # no jump: a value near the middle exists
 
 
+@pytest.mark.parametrize("name", RAIL_PROFILES)
+@pytest.mark.parametrize("inclination", [-0.1, -1 / 20, 0.0, 1 / 40, 1 / 30, 1 / 20, 0.1])
+def test_standard_rails_cover_the_head_at_any_inclination(name: str, inclination: float) -> None:
+    rail = rail_profile(name, inclination)
+    assert max(rail.z[0], rail.z[-1]) < -15 * MM
+    slope = np.diff(rail.z) / np.diff(rail.y)
+    assert min(slope[:300].max(), -slope[-300:].min()) > MAX_SLOPE  # where tables end
+    table = spline_table(rail)
+    assert table.start + 2 * MM < gauge_point(rail) < table.start + table.step * (len(table.z) - 1)
+
+
 def test_table_ends() -> None:
     wheel = spline_table(wheel_profile("S1002"))
     end = wheel.start + wheel.step * (len(wheel.z) - 1)

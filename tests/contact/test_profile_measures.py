@@ -74,7 +74,7 @@ def test_hollow_is_the_rise_to_the_field_side() -> None:
 
 
 def test_miniprof_gives_the_same_measures(shared_profiles: Path) -> None:
-    """Sd, Sh, qR in a MiniProf file, its taping line 70 mm from the flange back: 0.03 mm on the raw points."""
+    """Sd, Sh, qR in a MiniProf file, taping line 70 mm from the flange back: 0.03 mm on the raw points."""
     path = shared_profiles / "left-wheel-v1-pre-dry.whl"
     for smoothing, tolerance in (("never", 0.03 * MM), ("auto", 0.05 * MM)):
         read = read_profile(path, smoothing=smoothing)
@@ -153,5 +153,7 @@ def test_measures_refuse_the_other_kind() -> None:
         rail_wear(wheel, rail)
     with pytest.raises(ValueError, match="wheel's"):
         align_rail(rail, wheel)
+    with pytest.raises(ValueError, match=r"side_depth = 14 m, allowed 0\.005 \.\. 0\.025 m"):
+        rail_wear(rail, rail, side_depth=14)
     with pytest.raises(ValueError, match="needed through"):
         rail_wear(rail, rail, 0.0, 40 * MM)
