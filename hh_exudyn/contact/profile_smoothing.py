@@ -16,7 +16,11 @@ some 100 1/m on a tread whose own is 3. The rule:
 * L is, place by place, the longest up to `LONGEST_CUT_OFF` = 10 mm (about a contact patch) for which the
   curve stays within `DEVIATION_ALLOWED` = 0.02 mm of the points, taken as means over 1 mm of arc length
   (four points of a MiniProf): so the scatter of single points does not count as shape, but anything wider
-  does.
+  does. (The rounds aim at 0.7 of that, for noise hides some of the deviation from the true shape.)
+
+Measured on S1002 with white noise of 5 um every 0.25 mm (twelve seeds): curvature on the tread off by 0.13 ..
+0.34 1/m rms, the curve within 16 um of the true one, the flange root of 13 mm within 4 % in the mean. With
+10 um: up to 0.64 1/m, 20 um and 4 %.
 """
 
 from dataclasses import dataclass
@@ -39,9 +43,10 @@ _SHORTEST_CUT_OFF = 0.3e-3  # m, about the spacing of measured points: follows t
 _AVERAGING = 1e-3  # m
 _RIPPLE_BAND = 1.5e-3, 5e-3  # m
 _STEEPEST = 5.0  # |dz/dy| up to which curvature matters, as `profile_spline.MAX_SLOPE`
-_SHORTENING = 0.8  # of the cut-off in each round
-_ROUNDS = 40
-_DEVIATION_GOAL = 0.95  # of what is allowed, for the rounds
+_SHORTENING = 0.9  # of the cut-off in each round
+_SHORTENED_WIDTH = 6e-3  # m, around a place that lies too far off: wider keeps more waves beside it
+_ROUNDS = 100
+_DEVIATION_GOAL = 0.7  # of what is allowed: noise hides some of the deviation from the true shape
 
 
 @dataclass(frozen=True)
@@ -101,7 +106,7 @@ def smooth(y: FloatArray, z: FloatArray, deviation: float = DEVIATION_ALLOWED) -
     grid = _grid(s)
     measured_y, measured_z = np.interp(grid, s, y), np.interp(grid, s, z)
     cut_off = np.full(len(grid), LONGEST_CUT_OFF)
-    width = 2 * round(0.5 * LONGEST_CUT_OFF / GRID) + 1  # a cut-off acts over half its length on either side
+    width = 2 * round(0.5 * _SHORTENED_WIDTH / GRID) + 1
     for _ in range(_ROUNDS):
         smooth_y, smooth_z = _penalised(measured_y, cut_off), _penalised(measured_z, cut_off)
         distance = _distance(smooth_y, smooth_z, measured_y, measured_z)

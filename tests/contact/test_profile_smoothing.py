@@ -19,7 +19,7 @@ from hh_exudyn.contact.profile_smoothing import (
 
 MM = 1e-3
 SPACING = 0.25 * MM  # of MiniProf points
-TREAD_NOISE = 0.5  # 1/m, rms of curvature that may be left
+TREAD_NOISE = 0.5  # 1/m, rms of curvature that may be left of white noise of 5 um; it grows with the noise
 S1002 = wheel_profile("S1002")
 
 
@@ -51,7 +51,7 @@ def test_the_bound_of_tread_noise_changes_a_patch_by_less_than_a_tenth() -> None
 
 
 @pytest.mark.parametrize("sigma", [5e-6, 10e-6])
-@pytest.mark.parametrize("seed", [0, 1, 2])
+@pytest.mark.parametrize("seed", range(6))
 def test_white_noise_on_s1002_is_smoothed_and_the_shape_kept(sigma: float, seed: int) -> None:
     y, z = noisy(S1002, sigma, seed)
     y_true, k_true = curvature(S1002.y, S1002.z)
@@ -60,7 +60,7 @@ def test_white_noise_on_s1002_is_smoothed_and_the_shape_kept(sigma: float, seed:
     y_smooth, k_smooth = curvature(found.y, found.z)
     tread = np.abs(y_smooth) < 20 * MM
     error = (k_smooth - np.interp(y_smooth, y_true, k_true))[tread]
-    assert np.sqrt(np.mean(error**2)) < TREAD_NOISE
+    assert np.sqrt(np.mean(error**2)) < TREAD_NOISE * sigma / 5e-6
     assert np.abs(k_raw[np.abs(y_raw) < 20 * MM]).max() > 100.0  # what it was before
 
     # From the points (means over 1 mm) and from the truth, along the whole profile
