@@ -3,11 +3,10 @@
 Hertz lives on curvatures, and white noise of 5 um at the 0.3 mm spacing of a MiniProf makes a curvature of
 some 100 1/m on a tread whose own is 3. The rule:
 
-* A profile is left as it is unless its curvature ripples: the median, along the profile, of the difference of
-  its curvatures below 1.5 mm and below 5 mm of wavelength exceeds `RIPPLE_ALLOWED` = 1.5 1/m, half the
-  curvature of a rail's crown (R300). Drawn profiles stay below (arcs and their joints: 0.02 .. 1.3 1/m), any
-  noise above 1 um exceeds it.
-* Else position and height along the arc length s each minimise
+* A profile is left as it is unless its curvature ripples: the median, along the profile, of what its curvature
+  has in waves of 1.5 to 5 mm exceeds `RIPPLE_ALLOWED` = 1.5 1/m, half the curvature of a rail's crown (R300).
+  Drawn profiles stay below (arcs and their joints: 0.02 .. 1.3 1/m), white noise of 1 um exceeds it.
+* Else position and height along the arc length s each minimise (the ripple is found with the same filter)
 
       integral (u - x)^2 ds + integral (L/2 pi)^6 (d3u/ds3)^2 ds
 
