@@ -3,8 +3,8 @@
 Hertz lives on curvatures, and white noise of 5 um at the 0.3 mm spacing of a MiniProf makes a curvature of
 some 100 1/m on a tread whose own is 3. The rule:
 
-* A profile is left as it is unless its curvature ripples: the median, along the profile, of what its curvature
-  has in waves of 1.5 to 5 mm exceeds `RIPPLE_ALLOWED` = 1.5 1/m, half the curvature of a rail's crown (R300).
+* A profile is left as it is unless its curvature ripples: the median, along the profile, of the part of its
+  curvature in waves of 1.5 to 5 mm exceeds `RIPPLE_ALLOWED` = 1.5 1/m, half that of a crown of R300.
   Drawn profiles stay below (arcs and their joints: 0.02 .. 1.3 1/m), white noise of 1 um exceeds it.
 * Else position and height along the arc length s each minimise (the ripple is found with the same filter)
 
