@@ -23,7 +23,13 @@ from hh_exudyn.contact.functions import (
     rolling_radius_difference,
     wheelset_functions,
 )
-from hh_exudyn.contact.profile import Profile, rail_profile, wheel_profile
+from hh_exudyn.contact.profile import (
+    Profile,
+    rail_profile,
+    read_rail_profile,
+    read_wheel_profile,
+    wheel_profile,
+)
 from hh_exudyn.contact.steering import (
     conicity_report,
     flange_clearance,
@@ -46,17 +52,11 @@ def reference(name: str, case: str) -> FloatArray:
     return np.array([[float(word) for word in row[2:]] for row in rows if row[0] == case])
 
 
-def benchmark_profile(folder: Path, name: str, kind: str) -> Profile:
-    """A file of the benchmark: y positive to the field side, z up [mm]."""
-    y, z = np.loadtxt(folder / name).T[:, ::-1] * 1e-3
-    return Profile(name, kind, -y, z - (z.max() if kind == "rail" else np.interp(0.0, -y, z)))
-
-
 @pytest.fixture(scope="module", params=CASES)
 def en_case(request: pytest.FixtureRequest, shared_profiles: Path) -> tuple[str, Profile, Profile]:
     """Name, wheel and rail of a case."""
-    wheel = benchmark_profile(shared_profiles, f"RUIC519{CASES[request.param]}.dat", "wheel")
-    return request.param, wheel, benchmark_profile(shared_profiles, "SUIC519A.dat", "rail")
+    wheel = read_wheel_profile(shared_profiles / f"RUIC519{CASES[request.param]}.dat")
+    return request.param, wheel, read_rail_profile(shared_profiles / "SUIC519A.dat")
 
 
 def test_radius_difference_of_en_15302(en_case: tuple[str, Profile, Profile]) -> None:

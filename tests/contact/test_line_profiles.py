@@ -14,11 +14,11 @@ from hh_exudyn.contact.line_profiles import LINE_RAILS, LINE_WHEELS
 from hh_exudyn.contact.profile import (
     RAIL_PROFILES,
     WHEEL_PROFILES,
-    Profile,
     gauge_point,
     rail_profile,
     wheel_profile,
 )
+from hh_exudyn.contact.profile_measures import flange_height, flange_steepness, flange_thickness
 from hh_exudyn.contact.profile_spline import spline_table
 from hh_exudyn.contact.types import FloatArray
 
@@ -121,21 +121,14 @@ def test_the_gauge_corner_of_mb1_is_never_touched(wheel: str, gauge: float) -> N
     assert (found.y_rail > 34e-3).any()
 
 
-def measures(wheel: Profile) -> tuple[float, float, float]:
-    """Sd, Sh, qR of EN 15313 [mm]."""
-    y, z = 1e3 * wheel.y, 1e3 * (wheel.z - np.interp(0.0, wheel.y, wheel.z))
-    tip = int(np.argmin(z))
-    front = (y > 20.0) & (np.arange(len(y)) <= tip)
-    at_ten, above_tip = np.interp([10.0, -z[tip] - 2.0], -z[front], y[front])
-    return float(70.0 - at_ten), float(-z[tip]), float(above_tip - at_ten)
-
-
 @pytest.mark.parametrize(
     ("name", "expected"), [("WP4_like", (26.89, 29.08, 10.07)), ("WPL9_like", (32.5, 28.0, 10.8))]
 )
 def test_flange_measures(name: str, expected: tuple[float, float, float]) -> None:
     """Table 1-8, new wheel; the locomotive's flange is that of an S1002."""
-    assert measures(wheel_profile(name)) == pytest.approx(expected, abs=0.005)
+    wheel = wheel_profile(name)
+    found = flange_thickness(wheel), flange_height(wheel), flange_steepness(wheel)
+    assert 1e3 * np.array(found) == pytest.approx(expected, abs=0.005)
 
 
 @pytest.mark.parametrize("name", LINE_WHEELS)
