@@ -98,7 +98,7 @@ def test_conicity_from_the_tables_of_en_15302(case: str) -> None:
 
 
 def test_s1002_on_60e1_has_its_known_conicity() -> None:
-    """0.17 to 0.18 at 3 mm for 1:40 at 1435 mm; EN 15302's wheel A is the S1002 as well."""
+    """Commonly quoted as 0.17 to 0.18 at 3 mm for 1:40 at 1435 mm (from memory, no printed source at hand)."""
     report = conicity_report(wheel_profile("S1002"), rail_profile("60E1", 1 / 40), radius=0.46)
     assert report.reference_conicity == pytest.approx(0.175, abs=0.005)
 
@@ -277,7 +277,7 @@ def test_report_clearance_and_steering() -> None:
     assert wider.clearance_left == pytest.approx(report.clearance_left + 5e-3, abs=0.03e-3)
 
 
-def test_conicity_of_a_worn_gauge() -> None:
+def test_conicity_over_the_gauge() -> None:
     """S1002 on 60E1 1:40: a tighter gauge brings the contact nearer to the flange root."""
     wheel, rail = wheel_profile("S1002"), rail_profile("60E1", 1 / 40)
     found = gauge_sensitivity(wheel, rail, wheel, rail, gauges=np.array([1.432, 1.435, 1.440]), radius=0.46)
