@@ -27,7 +27,8 @@ from hh_exudyn.case_tables import (
     number,
     read_profile,
 )
-from hh_exudyn.contact.profile import Profile, flange_thickness, read_wheel_profile, wheel_profile
+from hh_exudyn.contact.profile import Profile, read_wheel_profile, wheel_profile
+from hh_exudyn.contact.profile_measures import flange_thickness
 from hh_exudyn.conventions import BACK_TO_BACK
 from track.alignment import Alignment
 from vehicles.catalogue import VEHICLES

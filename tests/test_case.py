@@ -225,7 +225,7 @@ def test_unreadable_files(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "row, fault", [("10.0 nan", "finite"), ("-80.0 1.0", "increase"), ("one two", "two numbers")]
+    "row, fault", [("10.0 nan", "finite"), ("-80.0 1.0", "from the point before"), ("one two", "two numbers")]
 )
 def test_bad_profile_file_is_named_with_its_line(tmp_path: Path, row: str, fault: str) -> None:
     s1002 = wheel_profile("S1002")

@@ -19,5 +19,8 @@
 `tangential`      one signature for all tangential theories: `creep_force`, `traction_field`
 `validation`      errors of the tangential theories against the exact solution
 `wheel_rail`      pose and velocity of wheelsets and rails -> wrenches and contact states, in one kernel
+`functions`       no force: rolling radius difference, equivalent conicity (`contact_geometry`, `conicity`,
+                  `rigid_contact`), and what they are worth on a track: `steering`
+`line_profiles`   stand-ins for the profiles of the Malmbanan line, all assumed
 ================  ===================================================================================
 """

@@ -22,7 +22,7 @@ from scipy.optimize import brentq
 
 from hh_exudyn.contact.types import FloatArray
 
-RESOLUTION = 2e-6  # m, of dr: less than profiles are drawn to; a motion that sees no more has no conicity
+RESOLUTION = 0.1e-6  # m, of dr: below the rounding of profiles; a motion that sees no more has no conicity
 _EVEN = 1e-12  # of the table's greatest |dr|: differences of S below it (times the amplitude) are rounding
 _SCAN = 400  # orbits that are looked at for a change of sign
 

@@ -33,8 +33,7 @@ class _Wheel(NamedTuple):
     flange_height: float  # Sh
     flange_gradient: float  # qR, between 10 mm below the running circle and 2 mm above the flange tip
     cone: float  # angle of the cone on the field side
-    tread_start: float  # lateral position where the hollow tread arc begins
-    tread_radius: float
+    tread_radius: float  # of the hollow arc between cone and throat
     throat_start: float  # angle where tread arc and throat arc join
     throat_radius: float
     root_start: float  # angle where throat and root join
@@ -44,26 +43,24 @@ class _Wheel(NamedTuple):
     tip_radius: float
 
 
-class _Relief(NamedTuple):
-    """Depth of grinding, normal to a 60E1's surface, over the arc length from the crown [mm]; all assumed."""
+class _Pass(NamedTuple):
+    """One pass of grinding, all assumed: how much lower than a 60E1, over the distance from its axis [mm]."""
 
     start: float  # where it begins
     full: float  # where it reaches its depth
-    fade: float  # from where it fades out
-    end: float  # above the gauge point, which stays
     depth: float
 
 
 _WHEELS = {
-    "WP4_like": _Wheel(26.89, 29.08, 10.07, 2.0, -20.0, 500.0, 6.0, 100.0, 14.0, 15.0, 70.0, 26.0, 12.0),
-    "WPL9_like": _Wheel(32.5, 28.0, 10.8, 2.0, -20.0, 500.0, 6.0, 100.0, 14.0, 15.0, 70.0, 26.0, 12.0),
+    "WP4_like": _Wheel(26.89, 29.08, 10.07, 2.0, 1225.0, 3.3, 134.0, 17.0, 15.0, 70.0, 26.0, 12.0),
+    "WPL9_like": _Wheel(32.5, 28.0, 10.8, 2.0, 1225.0, 3.3, 134.0, 17.0, 15.0, 70.0, 26.0, 12.0),
 }
-_RELIEFS = {
-    "MB4_like": _Relief(14.0, 30.0, 34.0, 42.0, 0.4),
-    "MB1_like": _Relief(8.0, 30.0, 34.0, 42.0, 2.5),
+_GRINDING = {
+    "MB4_like": (_Pass(-14.8, 6.3, 0.15), _Pass(12.2, 36.0, 0.9)),
+    "MB1_like": (_Pass(8.0, 36.0, 2.5),),
 }
 LINE_WHEELS = tuple(_WHEELS)
-LINE_RAILS = tuple(_RELIEFS)
+LINE_RAILS = tuple(_GRINDING)
 
 _FIELD_EDGE_MM = -62.0
 _BACK_ANGLE = 88.0  # degrees
@@ -85,14 +82,15 @@ def line_wheel_coordinates(name: str) -> tuple[FloatArray, FloatArray]:
         Side coordinates [m], y increasing; spacing about 0.1 mm.
     """
     wheel = _WHEELS[name]
-    free = fsolve(lambda x: _misfit(wheel, *x), [5.0, 5.0, 20.0])
+    free = fsolve(lambda x: _misfit(wheel, *x), [-25.0, 5.0, 15.0])
     y, z = _wheel_line(wheel, *free)
     return y * 1e-3, z * 1e-3
 
 
-def _misfit(wheel: _Wheel, throat_straight: float, face: float, shoulder_radius: float) -> list[float]:
-    """What Sd, Sh and qR of a wheel with these three free lengths lack [mm]."""
-    y, z = _wheel_line(wheel, throat_straight, face, shoulder_radius)
+def _misfit(wheel: _Wheel, cone_end: float, face: float, shoulder_radius: float) -> list[float]:
+    """What Sd, Sh and qR of a wheel lack, for an end of the field cone, a length of the flange's face
+    and a radius of its shoulder [mm]."""
+    y, z = _wheel_line(wheel, cone_end, face, shoulder_radius)
     front = slice(int(np.searchsorted(y, 0.0)), int(np.argmin(z)) + 1)
     height = -float(z.min())
     first, last = np.interp([_FLANGE_MEASURE_MM, height - _TIP_MEASURE_MM], -z[front], y[front])
@@ -104,18 +102,16 @@ def _misfit(wheel: _Wheel, throat_straight: float, face: float, shoulder_radius:
 
 
 def _wheel_line(
-    wheel: _Wheel, throat_straight: float, face: float, shoulder_radius: float
+    wheel: _Wheel, cone_end: float, face: float, shoulder_radius: float
 ) -> tuple[FloatArray, FloatArray]:
     """The chain of arcs and straights, its running circle at z = 0 [mm]."""
     down = np.radians(
         [wheel.cone, wheel.throat_start, wheel.root_start, wheel.flange_angle, wheel.shoulder_end, 0.0]
     )
-    cone_length = (wheel.tread_start - _FIELD_EDGE_MM) / math.cos(down[0])
     lengths = np.array(
         [
-            cone_length,
+            (cone_end - _FIELD_EDGE_MM) / math.cos(down[0]),
             wheel.tread_radius * (down[1] - down[0]),
-            throat_straight,
             wheel.throat_radius * (down[2] - down[1]),
             wheel.root_radius * (down[3] - down[2]),
             face,
@@ -123,7 +119,7 @@ def _wheel_line(
             wheel.tip_radius * down[4],
         ]
     )
-    angles = down[[0, 0, 1, 1, 2, 3, 3, 4, 5]]
+    angles = down[[0, 0, 1, 2, 3, 3, 4, 5]]
     knots = np.concatenate([[0.0], np.cumsum(lengths)])
     along = np.linspace(0.0, knots[-1], math.ceil(knots[-1] / _STEP_MM) + 1)
     # the mean direction of each step is that of its middle: exact for straights, 1e-6 of a step for arcs
@@ -153,19 +149,10 @@ def line_rail_coordinates(name: str) -> tuple[FloatArray, FloatArray]:
         Side coordinates [m], y increasing; spacing about 0.1 mm along the head.
     """
     y, z = rail_head_coordinates("60E1")
-    relief = _RELIEFS[name]
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))]) * 1e3
-    along -= np.interp(0.0, y, along)
-    depth = (
-        relief.depth
-        * 1e-3
-        * (
-            _smooth_step((along - relief.start) / (relief.full - relief.start))
-            - _smooth_step((along - relief.fade) / (relief.end - relief.fade))
-        )
-    )
-    slope = np.arctan2(np.gradient(z), np.gradient(y))
-    return y + depth * np.sin(slope), z - depth * np.cos(slope)
+    depth = np.zeros(len(y))
+    for start, full, deep in _GRINDING[name]:
+        depth += 1e-3 * deep * _smooth_step((1e3 * y - start) / (full - start))
+    return y, z - depth
 
 
 def _smooth_step(x: FloatArray) -> FloatArray:

@@ -14,10 +14,11 @@ from hh_exudyn.contact.steering import ConicityReport
 from hh_exudyn.contact.types import FloatArray
 
 _APART_MM = 15.0  # the wheel is drawn this far above its rail
+_LABELS_APART_MM = 3.0
 
 
 def draw_rail_profiles(axes: Axes, rails: Mapping[str, Profile]) -> None:
-    """Rail heads over each other (Fig. 1-12), each laid by its gauge point's own origin."""
+    """Rail heads over each other (Fig. 1-12), each in its own coordinates (top at z = 0)."""
     for label, rail in rails.items():
         axes.plot(1e3 * rail.y, 1e3 * rail.z, label=label)
     axes.set_xlabel("y towards the track centre [mm]")
@@ -63,14 +64,16 @@ def draw_contact_positions(
     functions : ContactFunctions
         Of the left or the right wheel.
     displacements : FloatArray
-        Displacements of the wheelset outwards on this side, one line each, at the nearest of the table [m].
+        Displacements of the wheelset outwards on this side, one line each, at the nearest of the table [m];
+        some are written at the wheel, in millimetres.
     """
     outwards = functions.side * functions.lateral
     centred = int(np.nanargmin(np.abs(outwards)))
     offset = functions.y_rail[centred] - functions.y_wheel[centred]
     axes.plot(1e3 * (wheel.y + offset), 1e3 * wheel.z + _APART_MM, color="black")
     axes.plot(1e3 * rail.y, 1e3 * rail.z, color="black")
-    for displacement in displacements:
+    labelled = -np.inf
+    for displacement in np.sort(displacements):
         k = int(np.argmin(np.abs(outwards - displacement)))
         ends_y = np.array([functions.y_wheel[k] + offset, functions.y_rail[k]])
         ends_z = np.array(
@@ -80,14 +83,16 @@ def draw_contact_positions(
             ]
         )
         axes.plot(1e3 * ends_y, 1e3 * ends_z, color="tab:blue", linewidth=0.8)
-        axes.annotate(
-            f"{1e3 * displacement:g}",
-            (1e3 * ends_y[1], 1e3 * ends_z[1]),
-            textcoords="offset points",
-            xytext=(0, -9),
-            fontsize=6,
-            ha="center",
-        )
+        if 1e3 * ends_y[0] - labelled > _LABELS_APART_MM:  # where contacts lie close, only some are named
+            labelled = 1e3 * ends_y[0]
+            axes.annotate(
+                f"{1e3 * displacement:g}",
+                (labelled, 1e3 * ends_z[0]),
+                textcoords="offset points",
+                xytext=(0, 3),
+                fontsize=7,
+                ha="center",
+            )
     axes.set_xlabel("y towards the track centre [mm]")
     axes.set_ylabel("z, the wheel lifted [mm]")
     axes.set_xlim(-40.0, 60.0)

@@ -23,7 +23,13 @@ from hh_exudyn.contact.functions import (
     rolling_radius_difference,
     wheelset_functions,
 )
-from hh_exudyn.contact.profile import Profile, rail_profile, wheel_profile
+from hh_exudyn.contact.profile import (
+    Profile,
+    rail_profile,
+    read_rail_profile,
+    read_wheel_profile,
+    wheel_profile,
+)
 from hh_exudyn.contact.steering import (
     conicity_report,
     flange_clearance,
@@ -46,17 +52,11 @@ def reference(name: str, case: str) -> FloatArray:
     return np.array([[float(word) for word in row[2:]] for row in rows if row[0] == case])
 
 
-def benchmark_profile(folder: Path, name: str, kind: str) -> Profile:
-    """A file of the benchmark: y positive to the field side, z up [mm]."""
-    y, z = np.loadtxt(folder / name).T[:, ::-1] * 1e-3
-    return Profile(name, kind, -y, z - (z.max() if kind == "rail" else np.interp(0.0, -y, z)))
-
-
 @pytest.fixture(scope="module", params=CASES)
 def en_case(request: pytest.FixtureRequest, shared_profiles: Path) -> tuple[str, Profile, Profile]:
     """Name, wheel and rail of a case."""
-    wheel = benchmark_profile(shared_profiles, f"RUIC519{CASES[request.param]}.dat", "wheel")
-    return request.param, wheel, benchmark_profile(shared_profiles, "SUIC519A.dat", "rail")
+    wheel = read_wheel_profile(shared_profiles / f"RUIC519{CASES[request.param]}.dat")
+    return request.param, wheel, read_rail_profile(shared_profiles / "SUIC519A.dat")
 
 
 def test_radius_difference_of_en_15302(en_case: tuple[str, Profile, Profile]) -> None:
@@ -98,7 +98,7 @@ def test_conicity_from_the_tables_of_en_15302(case: str) -> None:
 
 
 def test_s1002_on_60e1_has_its_known_conicity() -> None:
-    """0.17 to 0.18 at 3 mm for 1:40 at 1435 mm; EN 15302's wheel A is the S1002 as well."""
+    """Commonly quoted as 0.17 to 0.18 at 3 mm for 1:40 at 1435 mm (from memory, no printed source)."""
     report = conicity_report(wheel_profile("S1002"), rail_profile("60E1", 1 / 40), radius=0.46)
     assert report.reference_conicity == pytest.approx(0.175, abs=0.005)
 
@@ -181,6 +181,39 @@ def test_the_roll_sets_both_wheels_on_the_rails() -> None:
     distance -= 0.46 * (np.tan(flat.left.contact_angle) + np.tan(flat.right.contact_angle))
     expected = (flat.left.wheel_lift - flat.right.wheel_lift) / distance
     assert rolled.roll[near] == pytest.approx(expected[near], rel=0.02, abs=1e-9)
+
+
+def test_positions_roll_and_lift_of_the_manchester_benchmark(shared_profiles: Path) -> None:
+    """Case A-2.2 at 10 kN, whose small elastic approach and yaw (up to 24 mrad) a rigid contact leaves out.
+
+    The benchmark's y is positive to the right, its z downwards.
+    """
+    wheel = read_wheel_profile(shared_profiles / "MBench_S1002_v3.prw")
+    rail = read_rail_profile(shared_profiles / "MBench_UIC60_v3.prr")
+    lines = (REFERENCE / "wheel_rail_mbench_a22.csv").read_text().splitlines()
+    rows = [
+        row
+        for row in csv.DictReader(line for line in lines if not line.startswith("#"))
+        if row["load"] == "10kN" and row["patch"] == "1"
+    ]
+    for side, name in ((LEFT, "left"), (RIGHT, "right")):
+        mine = [row for row in rows if row["side"] == name]
+        lateral, roll, lift, y_rail, angle = np.array(
+            [[float(row[key]) for key in ("y_ws", "roll_ws", "z_ws", "y_r", "delta_r")] for row in mine]
+        ).T
+        found = wheelset_functions(
+            wheel, rail, wheel, rail, lateral=-1e-3 * lateral, radius_left=0.46, radius_right=0.46
+        )
+        assert found.roll == pytest.approx(roll, rel=0.04, abs=5e-6)
+        one = found.left if side == LEFT else found.right
+        assert 1e3 * one.wheel_lift == pytest.approx(-lift, abs=0.1)
+        assert one.contact_angle == pytest.approx(np.abs(angle), abs=0.012)
+        top = rail.y[np.argmax(rail.z)]
+        off = np.abs(1e3 * (one.y_rail - top) - np.abs(y_rail))
+        assert off[lateral > 0.0].max() < 0.6
+        assert (
+            off.max() < 1.7
+        )  # centred, the contact is nearly conformal: two micrometres move it a millimetre
 
 
 def test_a_wheel_touches_where_the_slopes_agree() -> None:
@@ -277,7 +310,7 @@ def test_report_clearance_and_steering() -> None:
     assert wider.clearance_left == pytest.approx(report.clearance_left + 5e-3, abs=0.03e-3)
 
 
-def test_conicity_of_a_worn_gauge() -> None:
+def test_conicity_over_the_gauge() -> None:
     """S1002 on 60E1 1:40: a tighter gauge brings the contact nearer to the flange root."""
     wheel, rail = wheel_profile("S1002"), rail_profile("60E1", 1 / 40)
     found = gauge_sensitivity(wheel, rail, wheel, rail, gauges=np.array([1.432, 1.435, 1.440]), radius=0.46)

@@ -1,0 +1,78 @@
+"""Points of a file made a line z(y): order, duplicates, loops, overhangs.
+
+A scan of a wheel or rail is a curve: it hangs over at the flange back and below a rail's head, and the probe
+steps back now and then. Contact needs one height at every y. So the points are followed from the running
+circle (or the rail top) outwards on either side: a step back that the curve makes good within 2 mm is a loop
+and left out; one that it does not make good is an overhang, and the profile ends before it.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hh_exudyn.contact.types import FloatArray
+
+IntArray = NDArray[np.intp]
+
+DUPLICATE = 1e-6  # m, nearer points are one point: no instrument tells them apart
+LONGEST_LOOP = 2e-3  # m of arc length
+_SHUFFLED = 2.0  # the way through the points over the way through them sorted by y
+
+
+def arc_length(y: FloatArray, z: FloatArray) -> FloatArray:
+    """Length along the points from the first one [m]."""
+    return np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
+
+
+def file_order(y: FloatArray, z: FloatArray) -> IntArray:
+    """Indices that put points in the order of the curve.
+
+    Points come along the curve, which may hang over, so their order is kept; unless the way through them is
+    twice as long as sorted by y: then the lines of the file were shuffled.
+    """
+    by_y = np.argsort(y, kind="stable")
+    shuffled = arc_length(y, z)[-1] > _SHUFFLED * arc_length(y[by_y], z[by_y])[-1]
+    return by_y if shuffled else np.arange(len(y))
+
+
+def distinct(y: FloatArray, z: FloatArray) -> IntArray:
+    """Indices of the points that lie at least `DUPLICATE` from the last one kept."""
+    kept = [0]
+    for i in range(1, len(y)):
+        if np.hypot(y[i] - y[kept[-1]], z[i] - z[kept[-1]]) >= DUPLICATE:
+            kept.append(i)
+    return np.array(kept)
+
+
+def single_valued(y: FloatArray, z: FloatArray, anchor: int) -> tuple[IntArray, int, int]:
+    """Indices of the points that are a function z(y) around the point `anchor`.
+
+    Parameters
+    ----------
+    y, z : FloatArray
+        The curve, in order, with y rising on the whole [m].
+    anchor : int
+        Point to start from: running circle or rail top.
+
+    Returns
+    -------
+    kept : IntArray
+        Indices, y strictly increasing.
+    loops, overhangs : int
+        How many points were left out inside, and cut off at the ends.
+    """
+    length = arc_length(y, z)
+    after, loops_after, cut_after = _outwards(y[anchor:], length[anchor:])
+    before, loops_before, cut_before = _outwards(-y[anchor::-1], -length[anchor::-1])
+    kept = np.concatenate([anchor - before[:0:-1], anchor + after])
+    return kept, loops_after + loops_before, cut_after + cut_before
+
+
+def _outwards(y: FloatArray, length: FloatArray) -> tuple[IntArray, int, int]:
+    """Kept indices from the first point on, the number of points in loops, the number cut off."""
+    kept = [0]
+    for i in range(1, len(y)):
+        if y[i] > y[kept[-1]]:
+            kept.append(i)
+        elif not np.any((y[i:] > y[kept[-1]]) & (length[i:] - length[kept[-1]] <= LONGEST_LOOP)):
+            break
+    return np.array(kept), kept[-1] + 1 - len(kept), len(y) - 1 - kept[-1]
