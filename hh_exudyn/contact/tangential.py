@@ -122,8 +122,9 @@ def force_kernel(
         )
     if theory == FASTSIM:
         return fastsim.force(
-            a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio, cells_x, cells_y
-        )
+            a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio, False, False,
+            cells_x, cells_y,
+        )  # fmt: skip
     return math.nan, math.nan, math.nan
 
 
@@ -184,7 +185,7 @@ def field_kernel(
         )  # fmt: skip
     elif theory == FASTSIM:
         fastsim.field(
-            a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio,
+            a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio, False, False,
             pressure, q_x, q_y, slip_x, slip_y,
         )  # fmt: skip
     else:
