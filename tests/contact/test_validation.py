@@ -64,6 +64,34 @@ def test_fastsim_is_where_the_literature_puts_it(table: dict[tuple[str, str], Th
     assert best.slip_mean < 0.5 * row.slip_mean
 
 
+def test_the_other_fastsims(table: dict[tuple[str, str], TheoryErrors]) -> None:
+    """The elliptic bound mends the stresses (10 % in equations.md) and worsens the forces (2.8/7.2/10.4).
+
+    The reference blends three flexibilities into one with growing slip, ours does not: that is the difference
+    in the largest errors, which are those of large spin.
+    """
+    elliptic, single = table["fastsim_elliptic", "all"], table["fastsim_single", "all"]
+    assert elliptic.force_mean == pytest.approx(0.030, abs=0.002)
+    assert elliptic.force_max == pytest.approx(0.155, abs=0.005)
+    assert elliptic.stress_mean == pytest.approx(0.116, abs=0.01)
+    assert single.force_mean == pytest.approx(0.052, abs=0.003)  # too soft under several creepages
+    assert single.force_max == pytest.approx(0.248, abs=0.005)
+
+
+def test_elliptic_bound_against_the_other_program() -> None:
+    off = []
+    for exact in exact_forces():
+        case = exact.case
+        if case.phi == 0.0 and 0.0 in (case.nu_x, case.nu_y):  # one creepage: there is nothing to blend
+            found = creep_force("fastsim_elliptic", *case.arguments, cells=(200, 200))
+            limit = case.friction * case.normal_force
+            x, y = exact.others["fastsim3be_220"]
+            off.append(math.hypot(found.x / limit - x, found.y / limit - y))
+    assert len(off) == 70
+    assert np.mean(off) < 0.0015
+    assert max(off) < 0.005
+
+
 def test_the_others(table: dict[tuple[str, str], TheoryErrors]) -> None:
     assert table["linear", "force <= 0.1 mu N"].force_mean < 0.01
     assert table["carter", "longitudinal only"].force_mean == pytest.approx(0.089, abs=0.003)
@@ -72,7 +100,7 @@ def test_the_others(table: dict[tuple[str, str], TheoryErrors]) -> None:
     assert table["polach", "no spin"].force_mean < 0.025
 
 
-@pytest.mark.parametrize(("theory", "column"), [("fastsim", "fastsim3")])
+@pytest.mark.parametrize(("theory", "column"), [("fastsim", "fastsim3"), ("fastsim_single", "fastsim1")])
 def test_against_the_other_programs_fastsim(theory: str, column: str) -> None:
     """The reference program is of first order: its forces on 40 and 200 cells, extrapolated, are ours."""
     raw, extrapolated = [], []
