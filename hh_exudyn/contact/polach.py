@@ -5,7 +5,8 @@ O. Polach, A fast wheel-rail forces calculation computer code, Vehicle System Dy
 vehicles running on adhesion limit, Wear 258 (2005) 992-1000.
 
 The traction is assumed to grow linearly from the leading edge (gradient from Kalker's C11 and C22) up to an
-ellipsoidal bound; its sum is a closed formula of one scaled creepage. Spin acts through the creepage at the
+ellipsoidal bound; its sum is a closed formula of one scaled creepage. Under longitudinal or lateral creepage
+alone that is FASTSIM with the elliptic bound, summed in closed form (they agree to 1e-5). Spin acts through the creepage at the
 patch's edge, nu_y + a phi, and through a lateral force of its own, made for a patch whose length tends to
 zero and corrected for a/b. Known properties of the formulas, kept as published:
 

@@ -35,6 +35,18 @@ def test_the_curve_without_spin() -> None:
         assert creep_force("polach", A, B, N, nu_x, 0.0, 0.0, MU).x == pytest.approx(-MU * N * expected)
 
 
+@pytest.mark.parametrize("ratio", [0.2, 1.0, 5.0])
+@pytest.mark.parametrize("creepage", [(1e-3, 0.0), (5e-3, 0.0), (0.0, 3e-3)])
+def test_without_spin_it_is_fastsim_with_the_elliptic_bound(
+    ratio: float, creepage: tuple[float, float]
+) -> None:
+    """Both let the traction grow linearly up to friction * Hertz pressure: one in closed form, one in cells."""
+    a, b = 5e-3 * math.sqrt(ratio), 5e-3 / math.sqrt(ratio)
+    formula = creep_force("polach", a, b, N, *creepage, 0.0, MU)
+    marched = creep_force("fastsim_elliptic", a, b, N, *creepage, 0.0, MU, cells=(400, 400))
+    assert (formula.x, formula.y) == pytest.approx((marched.x, marched.y), abs=1e-4 * MU * N)
+
+
 CREEPAGE = st.one_of(st.floats(-0.5, 0.5), st.floats(-0.02, 0.02))
 
 
