@@ -18,6 +18,8 @@ Choices where publications differ, each the better one against 185 exact cases (
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from hh_exudyn.contact.fastsim import begin, march_cell, single_stiffness, stiffnesses
 from hh_exudyn.contact.kalker import coefficients
 from hh_exudyn.contact.strips import (
@@ -60,6 +62,9 @@ from hh_exudyn.contact.types import FloatArray, Memory
 from hh_exudyn.kernel import kernel, memory, shaped
 
 _TINY = 1e-300  # keeps 0/0 from happening; far below every square that occurs [-]
+_XI, _ELLIPSE, _WORK, _POWER = 0, 1, 2, 3  # rows of a table over the cells of a strip
+_TABLE_ROWS, _CELLS = 4, 64
+_TABLE_SIZE = _TABLE_ROWS * _CELLS
 
 
 class _Rolling(NamedTuple):
@@ -360,63 +365,27 @@ def force(
 
 
 @kernel
-def _fill_cell(
-    cell: int,
-    cells_x: int,
-    groups: int,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    friction: float,
-    rolling: _Rolling,
-    state: Memory,
+def _directions(
+    first: int, count: int, cells_x: int, groups: int, state: Memory, q_x: FloatArray, q_y: FloatArray
 ) -> None:
-    """Results of one cell in a block of strips, and their work of slip and power of the creepages."""
+    """March a block of strips; fill its rows of q with directions of traction, where strips slip (any length)."""
     s = shaped(state, SHAPE)
-    xi = 1.0 - (2 * cell + 1) / cells_x
-    ellipse = math.sqrt(1.0 - xi * xi)
-    for g in range(groups):
-        marched = cell >= s[FIRST, g, 0]
-        for lane in range(LANES):
-            length, part = s[HALF_LENGTH, g, lane], s[PART, g, lane]
-            pressure = s[PRESSURE, g, lane] if length > 0.0 else 0.0
-            bound = friction * pressure
-            radicand = (1.0 - part) ** 2 - (xi - part) ** 2
-            root = math.sqrt(abs(radicand))
-            s[CELL_P, g, lane] = pressure * ellipse
-            s[CELL_Q_X, g, lane] = bound * s[KAPPA, g, lane] * (ellipse - root)
-            s[CELL_Q_Y, g, lane] = bound * (s[LAMBDA, g, lane] * ellipse - s[PRIME, g, lane] * root)
-            s[CELL_S_X, g, lane], s[CELL_S_Y, g, lane] = 0.0, 0.0
-        if marched:
-            for lane in range(LANES):
-                y, length, part = s[Y, g, lane], s[HALF_LENGTH, g, lane], s[PART, g, lane]
-                pressure = s[PRESSURE, g, lane]
-                root = math.sqrt(max((xi - part) ** 2 - (1.0 - part) ** 2, 0.0))
-                t_x, t_y = s[BOTH_X, g, lane], s[BOTH_Y, g, lane]
-                inverse = 1.0 / math.sqrt(t_x * t_x + t_y * t_y + _TINY)
-                t_x, t_y = t_x * inverse, t_y * inverse
-                gain = xi * pressure * (rolling.strain_x * t_x * t_x + rolling.strain_y * t_y * t_y)
-                rigid = t_x * (nu_x - phi * y) + t_y * (nu_y + phi * length * xi)
-                whole = min(rigid + gain, 0.0)
-                speed = whole if s[FULL, g, lane] > 0.5 else -s[STRAIN, g, lane] * root
-                slips = xi <= 2.0 * part - 1.0
-                speed = speed if slips else 0.0
-                traction = friction * ellipse * pressure
-                s[CELL_Q_X, g, lane] = traction * t_x if slips else s[CELL_Q_X, g, lane]
-                s[CELL_Q_Y, g, lane] = traction * t_y if slips else s[CELL_Q_Y, g, lane]
-                s[CELL_S_X, g, lane], s[CELL_S_Y, g, lane] = speed * t_x, speed * t_y
-                s[WORK, g, lane] += traction * speed
-        for lane in range(LANES):
-            rigid_x = nu_x - phi * s[Y, g, lane]
-            rigid_y = nu_y + phi * s[HALF_LENGTH, g, lane] * xi
-            s[POWER, g, lane] += s[CELL_Q_X, g, lane] * rigid_x + s[CELL_Q_Y, g, lane] * rigid_y
+    step = 2.0 / cells_x
+    for cell in range(cells_x):
+        i = cells_x - 1 - cell  # from the leading edge
+        node = 1.0 - (cell + 1) * step
+        march_cell(cell, groups, node + 0.5 * step, max(1.0 - node * node, 0.0), state)
+        for g in range(groups):
+            if cell >= s[FIRST, g, 0]:
+                row = first + g * LANES
+                for lane in range(min(LANES, count - g * LANES)):
+                    q_x[row + lane, i], q_y[row + lane, i] = s[BOTH_X, g, lane], s[BOTH_Y, g, lane]
 
 
 @kernel
-def _fill_block(
+def _fill_rows(
     first: int,
     count: int,
-    groups: int,
     nu_x: float,
     nu_y: float,
     phi: float,
@@ -429,28 +398,64 @@ def _fill_block(
     slip_x: FloatArray,
     slip_y: FloatArray,
 ) -> tuple[float, float]:
-    """Fill the field's rows of a block; work of slip and power of the creepages, per cell's length [N]."""
+    """Fill the field's rows of a block; work of slip and power of the creepages, per cell's length [N].
+
+    Cells are independent here, and the compiler takes several of one strip at once.
+    """
     cells_x = pressure.shape[1]
-    step = 2.0 / cells_x
     s = shaped(state, SHAPE)
-    _prepare(groups, rolling, cells_x, state)
-    for g in range(groups):
-        for lane in range(LANES):
-            strain_x = rolling.strain_x * s[KAPPA, g, lane]
-            strain_y = rolling.strain_y * s[PRIME, g, lane]
-            strain = math.sqrt(strain_x * strain_x + strain_y * strain_y)
-            s[STRAIN, g, lane] = s[PRESSURE, g, lane] * strain
-    for cell in range(cells_x):
-        node = 1.0 - (cell + 1) * step
-        march_cell(cell, groups, node + 0.5 * step, max(1.0 - node * node, 0.0), state)
-        _fill_cell(cell, cells_x, groups, nu_x, nu_y, phi, friction, rolling, state)
-        store_cell(first, count, cells_x - 1 - cell, state, pressure, q_x, q_y, slip_x, slip_y)
+    table = shaped(memory(_TABLE_SIZE), (_TABLE_ROWS, _CELLS))
     work, power = 0.0, 0.0
-    for g in range(groups):
-        for lane in range(LANES):
-            area = s[WIDTH, g, lane] * s[HALF_LENGTH, g, lane]
-            work += area * s[WORK, g, lane]
-            power += area * s[POWER, g, lane]
+    for start in range(0, cells_x, _CELLS):
+        number = min(cells_x - start, _CELLS)
+        for c in range(number):
+            xi = (2 * (start + c) + 1) / cells_x - 1.0
+            table[_XI, c], table[_ELLIPSE, c] = xi, math.sqrt(1.0 - xi * xi)
+            table[_WORK, c], table[_POWER, c] = 0.0, 0.0
+        for row in range(count):
+            j, g, lane = first + row, row // LANES, row % LANES
+            length, part = s[HALF_LENGTH, g, lane], s[PART, g, lane]
+            peak = s[PRESSURE, g, lane] if length > 0.0 else 0.0
+            area = s[WIDTH, g, lane] * length
+            bound = friction * peak
+            kappa, lambda_, prime = s[KAPPA, g, lane], s[LAMBDA, g, lane], s[PRIME, g, lane]
+            strain_x, strain_y = rolling.strain_x * peak, rolling.strain_y * peak
+            strain = math.sqrt((strain_x * kappa) ** 2 + (strain_y * prime) ** 2)
+            stick = (1.0 - part) ** 2
+            full = s[FULL, g, lane] > 0.5
+            rigid_x, turn = nu_x - phi * s[Y, g, lane], phi * length
+            slipping = min(max(math.floor(part * cells_x + 0.5) - start, 0), number)
+            for c in range(slipping):
+                i = np.uint64(start + c)
+                xi, ellipse = table[_XI, c], table[_ELLIPSE, c]
+                t_x, t_y = q_x[j, i], q_y[j, i]
+                inverse = 1.0 / math.sqrt(t_x * t_x + t_y * t_y + _TINY)
+                t_x, t_y = t_x * inverse, t_y * inverse
+                rigid = t_x * rigid_x + t_y * (nu_y + turn * xi)
+                if full:
+                    speed = min(rigid + xi * (strain_x * t_x * t_x + strain_y * t_y * t_y), 0.0)
+                else:
+                    speed = -strain * math.sqrt(max((xi - part) ** 2 - stick, 0.0))
+                traction = bound * ellipse
+                pressure[j, i] = peak * ellipse
+                q_x[j, i], q_y[j, i] = traction * t_x, traction * t_y
+                slip_x[j, i], slip_y[j, i] = speed * t_x, speed * t_y
+                table[_WORK, c] += area * traction * speed
+                table[_POWER, c] += area * traction * rigid
+            for n in range(number - slipping):
+                c = slipping + n
+                i = np.uint64(start + c)
+                xi, ellipse = table[_XI, np.uint64(c)], table[_ELLIPSE, np.uint64(c)]
+                root = math.sqrt(max(stick - (xi - part) ** 2, 0.0))
+                traction_x = bound * kappa * (ellipse - root)
+                traction_y = bound * (lambda_ * ellipse - prime * root)
+                pressure[j, i] = peak * ellipse
+                q_x[j, i], q_y[j, i] = traction_x, traction_y
+                slip_x[j, i], slip_y[j, i] = 0.0, 0.0
+                rigid = traction_x * rigid_x + traction_y * (nu_y + turn * xi)
+                table[_POWER, np.uint64(c)] += area * rigid
+        for c in range(number):
+            work, power = work + table[_WORK, c], power + table[_POWER, c]
     return work, power
 
 
@@ -479,16 +484,18 @@ def field_on_strips(
     `tangential.field_kernel`: (>= count, nx), of which the first `count` rows are filled. Cell (j, i) has its
     centre at x = l_j (-1 + (2 i + 1)/nx) and the area 2 l_j width_j/nx. Empty strips get no pressure.
     """
+    cells_x = pressure.shape[1]
     rolling = _rolling(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
     state = memory(STATE_SIZE)
     work, power = 0.0, 0.0
     for first in range(0, count, BLOCK):
         number = min(count - first, BLOCK)
         groups = load_strips(strips, first, number, state)
-        lost, put_in = _fill_block(
-            first, number, groups, nu_x, nu_y, phi, friction, rolling, state,
-            pressure, q_x, q_y, slip_x, slip_y,
-        )  # fmt: skip
+        _prepare(groups, rolling, cells_x, state)
+        _directions(first, number, cells_x, groups, state, q_x, q_y)
+        lost, put_in = _fill_rows(
+            first, number, nu_x, nu_y, phi, friction, rolling, state, pressure, q_x, q_y, slip_x, slip_y
+        )
         work, power = work + lost, power + put_in
     if work < 0.0 and power < 0.0:
         scale_slip(power / work, slip_x[:count], slip_y[:count])
@@ -518,7 +525,7 @@ def field(
     in stick, so the slip of the whole patch is scaled (by 0.86..1.01 in nine of ten of the 185 cases) to
     make friction dissipate the power of the creepages: sum of q.s dA = F_x nu_x + F_y nu_y + M phi.
     """
-    cells_y = pressure.shape[0]
+    cells_y, cells_x = pressure.shape
     rolling = _rolling(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
     state = memory(STATE_SIZE)
     max_pressure = 1.5 * normal_force / (math.pi * a * b)
@@ -526,10 +533,11 @@ def field(
     for first in range(0, cells_y, BLOCK):
         number = min(cells_y - first, BLOCK)
         groups = load_ellipse(a, b, max_pressure, first, number, cells_y, state)
-        lost, put_in = _fill_block(
-            first, number, groups, nu_x, nu_y, phi, friction, rolling, state,
-            pressure, q_x, q_y, slip_x, slip_y,
-        )  # fmt: skip
+        _prepare(groups, rolling, cells_x, state)
+        _directions(first, number, cells_x, groups, state, q_x, q_y)
+        lost, put_in = _fill_rows(
+            first, number, nu_x, nu_y, phi, friction, rolling, state, pressure, q_x, q_y, slip_x, slip_y
+        )
         work, power = work + lost, power + put_in
     if work < 0.0 and power < 0.0:
         scale_slip(power / work, slip_x, slip_y)
