@@ -13,7 +13,9 @@ theory              what it is                                 field  moment  wh
 `polach`            Polach 1999, closed formulas               no     no
 ==================  =========================================  =====  ======  ==============================
 
-How good each is against the exact solution: `validation`.
+How good each is against the exact solution: `validation`. In every field friction dissipates the power of the
+creepages, summed over the cells (to rounding; where the slip zone is shorter than a cell, nothing slips); the
+power of `force_kernel`'s own sums differs from it by 0.04 to 0.3 % of itself at 50 x 50 cells.
 """
 
 import math
