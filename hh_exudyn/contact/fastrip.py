@@ -16,21 +16,15 @@ Choices where publications differ, each the better one against 185 exact cases (
 """
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
-from hh_exudyn.contact.fastsim import begin, march_cell, single_stiffness, stiffnesses
-from hh_exudyn.contact.kalker import coefficients
+from hh_exudyn.contact.fastrip_theory import Rolling, prepare, rolling_strips
+from hh_exudyn.contact.fastsim_march import march_cell
 from hh_exudyn.contact.strips import (
     BLOCK,
     BOTH_X,
     BOTH_Y,
-    CELL_P,
-    CELL_Q_X,
-    CELL_Q_Y,
-    CELL_S_X,
-    CELL_S_Y,
     FIRST,
     FULL,
     HALF_LENGTH,
@@ -38,25 +32,18 @@ from hh_exudyn.contact.strips import (
     LAMBDA,
     LANES,
     PART,
-    POWER,
     PRESSURE,
     PRIME,
     SHAPE,
-    SPIN,
     STATE_SIZE,
-    STRAIN,
     SUM_M,
     SUM_X,
     SUM_Y,
-    W_X,
-    W_Y,
     WIDTH,
-    WORK,
     Y,
     load_ellipse,
     load_strips,
     scale_slip,
-    store_cell,
 )
 from hh_exudyn.contact.types import FloatArray, Memory
 from hh_exudyn.kernel import kernel, memory, shaped
@@ -65,151 +52,6 @@ _TINY = 1e-300  # keeps 0/0 from happening; far below every square that occurs [
 _XI, _ELLIPSE, _WORK, _POWER = 0, 1, 2, 3  # rows of a table over the cells of a strip
 _TABLE_ROWS, _CELLS = 4, 64
 _TABLE_SIZE = _TABLE_ROWS * _CELLS
-
-
-class _Rolling(NamedTuple):
-    """What the strips of a patch share. Strip theory's creepages become numbers over a strip's pressure p,
-    FASTSIM's rigid slip over p^2/l with the strip's half length l."""
-
-    xi: float  # [Pa]
-    eta: float  # [Pa]
-    psi: float  # [Pa/m]
-    three_x: float  # rigid slip over Kalker's three flexibilities [Pa^2/m]
-    three_y: float
-    three_phi: float  # [Pa^2/m^2]
-    one_x: float  # and over the single one
-    one_y: float
-    one_phi: float
-    poisson_ratio: float
-    strain_x: float  # amplitude of the surface's strain under a semi-ellipse of traction, over p [1/Pa]
-    strain_y: float
-
-
-@kernel
-def _rolling(
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    friction: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-) -> _Rolling:
-    """Creepages scaled for strip theory (equation 2.43) and for FASTSIM."""
-    c11, c22, c23, _ = coefficients(a / b, poisson_ratio)
-    half = -0.5 * shear_modulus / friction
-    along = half * 4.0 * (1.0 - poisson_ratio) / math.pi**2
-    strain = 0.5 * math.pi**2 * friction / shear_modulus
-    stiff_x, stiff_y, stiff_phi = stiffnesses(a, b, shear_modulus, c11, c22, c23)
-    stiff = single_stiffness(stiff_x, stiff_y, stiff_phi, nu_x, nu_y, phi, math.sqrt(a * b))
-    # the parabola under which the equivalent ellipse carries the load has the height 4/3 p^2/p_max in a strip
-    max_pressure = 1.5 * normal_force / (math.pi * a * b)
-    scale = 0.75 * max_pressure / friction * normal_force / direction_force(a, b, normal_force)
-    return _Rolling(
-        along * c11 * nu_x,
-        along * c22 * nu_y,
-        half * 3.0 / math.pi * math.sqrt(b / a) * c23 * phi,
-        scale * stiff_x * nu_x,
-        scale * stiff_y * nu_y,
-        scale * stiff_phi * phi,
-        scale * stiff * nu_x,
-        scale * stiff * nu_y,
-        scale * stiff * phi,
-        poisson_ratio,
-        strain / c11,
-        strain / c22,
-    )
-
-
-@kernel
-def strip(xi: float, eta: float, psi: float, poisson_ratio: float) -> tuple[bool, float, float, float, float]:
-    """One strip of strip theory (equations 2.43, 2.44), scaled with its own half length and pressure.
-
-    Parameters
-    ----------
-    xi, eta, psi : float
-        Scaled longitudinal (of this strip), lateral and spin creepage [-].
-    poisson_ratio : float
-        [-].
-
-    Returns
-    -------
-    tuple
-        Whether the whole strip slips, half length of the slip zone d over the strip's, kappa, lambda,
-        lambda' [-].
-    """
-    square = xi * xi + eta * eta
-    beyond = psi * psi - 1.0
-    radicand = eta * eta - beyond * xi * xi
-    divisor = math.sqrt(max(radicand, 0.0)) - eta * psi
-    inverse = divisor / (square + _TINY)  # 1/D
-    part = square / (divisor * (1.0 - poisson_ratio))
-    kappa, lambda_prime = xi * inverse, eta * inverse
-    still = (square == 0.0) & (beyond <= 0.0)  # no creepage but spin, in the middle of the patch
-    none = (radicand < 0.0) | (divisor <= 0.0) | (part >= 1.0)
-    # beyond |psi| = 1: |q| <= mu p in the stick zone is tightest at the leading edge
-    primes = kappa * kappa + lambda_prime * lambda_prime
-    breaks = primes * (1.0 - math.sqrt(max(1.0 - part, 0.0))) < beyond
-    full = (none | breaks) & (not still)
-    part = 1.0 if full else 0.0 if still else part
-    kappa, lambda_prime = 0.0 if full else kappa, 0.0 if full else lambda_prime
-    return full, part, kappa, 0.0 if full else lambda_prime + psi, lambda_prime
-
-
-@kernel
-def direction_force(a: float, b: float, normal_force: float) -> float:
-    """Normal force that FASTSIM is run with for the directions [N] (Sichani 2016)."""
-    if a < b:
-        return normal_force * (1.0 + (1.0 - a / b) ** 4)
-    return normal_force
-
-
-@kernel
-def _sticks_until(w_x: float, w_y: float, spin: float) -> float:
-    """Where FASTSIM's stick from the leading edge ends, xi + 1 in 0..2; 2 if the edge itself slips.
-
-    Until then its traction is (1 - xi) times v = (w_x, w_y + spin (1 + xi)/2), and the bound
-    (1 - xi)(1 + xi): the end is the root of |v|^2 = (1 + xi)^2, a quadratic.
-    """
-    constant = w_x * w_x + w_y * w_y
-    edge = w_y + spin
-    half = 0.5 * w_y * spin
-    square = 0.25 * spin * spin - 1.0
-    root = math.sqrt(max(half * half - square * constant, 0.0))
-    end = constant / (root - half + _TINY)
-    return 2.0 if w_x * w_x + edge * edge > 4.0 else end
-
-
-@kernel
-def _prepare(groups: int, rolling: _Rolling, cells_x: int, state: Memory) -> None:
-    """Solve strip theory in a block of strips, and set FASTSIM's march where each group of them needs it."""
-    s = shaped(state, SHAPE)
-    for g in range(groups):
-        for lane in range(LANES):
-            y, length, inverse = s[Y, g, lane], s[HALF_LENGTH, g, lane], 1.0 / s[PRESSURE, g, lane]
-            full, part, kappa, lambda_, lambda_prime = strip(
-                (rolling.xi - rolling.psi * y) * inverse,
-                rolling.eta * inverse,
-                rolling.psi * length * inverse,
-                rolling.poisson_ratio,
-            )
-            exists = length > 0.0
-            part = part if exists else 0.0
-            factor = length * inverse * inverse
-            spin = factor * (rolling.one_phi if full else rolling.three_phi)
-            w_x = factor * (rolling.one_x if full else rolling.three_x) - spin * y
-            w_y = factor * (rolling.one_y if full else rolling.three_y)
-            spin *= length
-            sticking = 1.0 - 0.5 * _sticks_until(w_x, w_y, spin)
-            s[FIRST, g, lane] = math.floor(min(sticking, 1.0 - part) * cells_x)
-            s[W_X, g, lane], s[W_Y, g, lane], s[SPIN, g, lane] = w_x, w_y, spin
-            s[PART, g, lane], s[FULL, g, lane] = part, 1.0 if full & exists else 0.0
-            s[KAPPA, g, lane] = kappa if exists else 0.0
-            s[LAMBDA, g, lane] = lambda_ if exists else 0.0
-            s[PRIME, g, lane] = lambda_prime if exists else 0.0
-        begin(g, cells_x, 2.0, state)
 
 
 @kernel
@@ -232,14 +74,14 @@ def _add_cell(cell: int, cells_x: int, groups: int, state: Memory) -> None:
 
 @kernel
 def _block_force(
-    groups: int, rolling: _Rolling, cells_x: int, weight: float, state: Memory
+    groups: int, rolling: Rolling, cells_x: int, weight: float, state: Memory
 ) -> tuple[float, float, float, float]:
     """F_x, F_y [N], M_z [N m] of a block of strips over pi/2 friction, and its normal force over pi/2.
 
     Both semi-ellipses of equation 2.45 are integrated exactly, over the whole strip and over its stick zone;
     only the slip zone's difference to them is summed over cells.
     """
-    _prepare(groups, rolling, cells_x, state)
+    prepare(groups, rolling, cells_x, state)
     step = 2.0 / cells_x
     for cell in range(cells_x):
         node = 1.0 - (cell + 1) * step
@@ -320,7 +162,7 @@ def force_on_strips(
     tuple of float
         F_x [N], F_y [N], M_z about the origin [N m], on the wheel.
     """
-    rolling = _rolling(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
+    rolling = rolling_strips(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
     state = memory(STATE_SIZE)
     weight = _cell_weight(cells_x)
     force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
@@ -350,7 +192,7 @@ def force(
     cells_y: int,
 ) -> tuple[float, float, float]:
     """Creep forces and spin moment on the wheel; arguments as `tangential.force_kernel`."""
-    rolling = _rolling(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
+    rolling = rolling_strips(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
     state = memory(STATE_SIZE)
     weight = _cell_weight(cells_x)
     max_pressure = 1.5 * normal_force / (math.pi * a * b)
@@ -368,7 +210,7 @@ def force(
 def _directions(
     first: int, count: int, cells_x: int, groups: int, state: Memory, q_x: FloatArray, q_y: FloatArray
 ) -> None:
-    """March a block of strips; fill its rows of q with directions of traction, where strips slip (any length)."""
+    """March a block of strips; where they slip, fill q with directions of traction (of any length)."""
     s = shaped(state, SHAPE)
     step = 2.0 / cells_x
     for cell in range(cells_x):
@@ -390,7 +232,7 @@ def _fill_rows(
     nu_y: float,
     phi: float,
     friction: float,
-    rolling: _Rolling,
+    rolling: Rolling,
     state: Memory,
     pressure: FloatArray,
     q_x: FloatArray,
@@ -485,13 +327,13 @@ def field_on_strips(
     centre at x = l_j (-1 + (2 i + 1)/nx) and the area 2 l_j width_j/nx. Empty strips get no pressure.
     """
     cells_x = pressure.shape[1]
-    rolling = _rolling(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
+    rolling = rolling_strips(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
     state = memory(STATE_SIZE)
     work, power = 0.0, 0.0
     for first in range(0, count, BLOCK):
         number = min(count - first, BLOCK)
         groups = load_strips(strips, first, number, state)
-        _prepare(groups, rolling, cells_x, state)
+        prepare(groups, rolling, cells_x, state)
         _directions(first, number, cells_x, groups, state, q_x, q_y)
         lost, put_in = _fill_rows(
             first, number, nu_x, nu_y, phi, friction, rolling, state, pressure, q_x, q_y, slip_x, slip_y
@@ -526,14 +368,14 @@ def field(
     make friction dissipate the power of the creepages: sum of q.s dA = F_x nu_x + F_y nu_y + M phi.
     """
     cells_y, cells_x = pressure.shape
-    rolling = _rolling(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
+    rolling = rolling_strips(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
     state = memory(STATE_SIZE)
     max_pressure = 1.5 * normal_force / (math.pi * a * b)
     work, power = 0.0, 0.0
     for first in range(0, cells_y, BLOCK):
         number = min(cells_y - first, BLOCK)
         groups = load_ellipse(a, b, max_pressure, first, number, cells_y, state)
-        _prepare(groups, rolling, cells_x, state)
+        prepare(groups, rolling, cells_x, state)
         _directions(first, number, cells_x, groups, state, q_x, q_y)
         lost, put_in = _fill_rows(
             first, number, nu_x, nu_y, phi, friction, rolling, state, pressure, q_x, q_y, slip_x, slip_y

@@ -20,15 +20,12 @@ from hh_exudyn.kernel import kernel, shaped
 # columns of a strip, and first rows of a block's state
 Y, WIDTH, HALF_LENGTH, PRESSURE = 0, 1, 2, 3
 STRIP_COLUMNS = 4
-# what `fastsim` carries along: scaled rigid slip per cell (its lateral part is w_y + spin xi), traction, its
+# what `fastsim_march` carries along: scaled rigid slip per cell (its lateral part is w_y + spin xi), traction, its
 # direction, whether it slips, the sum of the directions at the last cell's two ends, first cell to march
 W_X, W_Y, SPIN, Q_X, Q_Y, T_X, T_Y, SLIPS, BOTH_X, BOTH_Y, FIRST = 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14
 SUM_X, SUM_Y, SUM_M = 15, 16, 17  # sums over the cells of a strip
-PART, KAPPA, LAMBDA, PRIME, FULL, STRAIN = 18, 19, 20, 21, 22, 23  # strip theory's solution
-# results in the last cell: pressure, traction, slip; WORK and POWER are their sums (in the place of the forces)
-CELL_P, CELL_Q_X, CELL_Q_Y, CELL_S_X, CELL_S_Y = 24, 25, 26, 27, 28
-WORK, POWER = SUM_X, SUM_Y
-ROWS = 29
+PART, KAPPA, LAMBDA, PRIME, FULL = 18, 19, 20, 21, 22  # what `fastrip_theory.strip` gives
+ROWS = 23
 
 LANES = 8  # strips of one vector: eight doubles fill the widest registers
 GROUPS = 8
@@ -92,28 +89,6 @@ def load_strips(strips: FloatArray, first: int, count: int, state: Memory) -> in
             s[HALF_LENGTH, g, lane] = strips[first + row, HALF_LENGTH] if exists else 0.0
             s[PRESSURE, g, lane] = strips[first + row, PRESSURE] if exists else 1.0
     return groups
-
-
-@kernel
-def store_cell(
-    first: int,
-    count: int,
-    i: int,
-    state: Memory,
-    pressure: FloatArray,
-    q_x: FloatArray,
-    q_y: FloatArray,
-    slip_x: FloatArray,
-    slip_y: FloatArray,
-) -> None:
-    """Copy the last cell's results of a block to column i of a field, rows first .. first + count - 1."""
-    s = shaped(state, SHAPE)
-    for g in range((count + LANES - 1) // LANES):
-        for lane in range(min(LANES, count - g * LANES)):
-            j = first + g * LANES + lane
-            pressure[j, i] = s[CELL_P, g, lane]
-            q_x[j, i], q_y[j, i] = s[CELL_Q_X, g, lane], s[CELL_Q_Y, g, lane]
-            slip_x[j, i], slip_y[j, i] = s[CELL_S_X, g, lane], s[CELL_S_Y, g, lane]
 
 
 @kernel
