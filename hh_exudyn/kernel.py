@@ -1,4 +1,4 @@
-"""The one door to numba: the decorator `kernel`, `memory` for scratch arrays, and `Bundle` for arguments of many arrays.
+"""The one door to numba: the decorator `kernel`, scratch `memory`, and `Bundle` for arguments of many arrays.
 
 Numba's file cache does not notice when a kernel in ANOTHER file changes, and then runs old code without
 a word. Here the cache folder is named by the hash of every source that kernels are made of, so that any
@@ -83,7 +83,7 @@ def kernel(function: F) -> F:
     return compiled
 
 
-@intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
+@intrinsic(prefer_literal=True)
 def _on_stack(typing_context: Any, count: Any) -> Any:
     """Pointer to `count` floats (a constant) on the stack of the kernel that asks for them."""
     if not isinstance(count, types.IntegerLiteral):
@@ -106,10 +106,10 @@ def _plain_shaped(place: NDArray[np.float64], shape: tuple[int, ...]) -> NDArray
     return place[: math.prod(shape)].reshape(shape)
 
 
-# `memory(count)`: uninitialised memory for `count` floats (a constant) on the stack, gone when the kernel returns.
-# `shaped(place, shape)`: the array of a constant shape that lies there. A shape known to the compiler tells it
-# which parts cannot overlap, and that decides whether a loop becomes vector instructions. An array passed on
-# to another kernel loses its shape: so the memory is passed on, and shaped again.
+# `memory(count)`: uninitialised memory for `count` floats (a constant) on the stack, gone when the kernel
+# returns. `shaped(place, shape)`: the array of a constant shape lying there. A shape known to the compiler
+# tells it which parts cannot overlap, and that decides whether a loop becomes vector instructions. An array
+# passed on to another kernel loses its shape: so the memory is passed on, and shaped again.
 memory: Callable[[int], Any] = _plain_memory if numba.config.DISABLE_JIT else _on_stack
 shaped: Callable[[Any, tuple[int, ...]], NDArray[np.float64]] = (
     _plain_shaped if numba.config.DISABLE_JIT else numba.carray

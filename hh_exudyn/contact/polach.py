@@ -5,12 +5,14 @@ O. Polach, A fast wheel-rail forces calculation computer code, Vehicle System Dy
 vehicles running on adhesion limit, Wear 258 (2005) 992-1000.
 
 The traction is assumed to grow linearly from the leading edge (gradient from Kalker's C11 and C22) up to an
-ellipsoidal bound; its sum is a closed formula of one scaled creepage. Spin acts through the creepage at the
-patch's edge, nu_y + a phi, and through a lateral force of its own, made for a patch whose length tends to
-zero and corrected for a/b. Known properties of the formulas, kept as published:
+ellipsoidal bound; its sum is a closed formula of one scaled creepage. Under longitudinal or lateral creepage
+alone that is FASTSIM with the elliptic bound, summed in closed form (they agree to 1e-5). Spin acts through
+the creepage at the patch's edge, nu_y + a phi, and through a lateral force of its own with a factor for a/b.
+Known properties of the formulas, kept as published:
 
 * the slopes at zero creepage are Kalker's for longitudinal creepage alone, lateral creepage with spin, and
-  spin alone; longitudinal creepage together with spin weakens the lateral force of spin;
+  spin alone; longitudinal and lateral creepage together share one mean of C11 and C22, and longitudinal
+  creepage weakens the lateral force of spin;
 * a spin moment is not given: M_z = 0.
 
 The formulas were checked against two public implementations of the paper, which agree with Kalker's linear

@@ -7,11 +7,15 @@ theory              what it is                                 field  moment  wh
 `linear`            Kalker's linear theory, 1967               no     yes     friction limit
 `strip`             Haines and Ollerton 1963, Kalker 1967      yes    yes     b/a, large spin
 `fastsim`           Kalker 1982, three flexibilities           yes    yes
+`fastsim_single`    Kalker 1982, one weighted flexibility      yes    yes
+`fastsim_elliptic`  three flexibilities, Hertz pressure        yes    yes
 `fastrip`           Sichani, Enblom, Berg 2016                 yes    yes
 `polach`            Polach 1999, closed formulas               no     no
 ==================  =========================================  =====  ======  ==============================
 
-How good each is against the exact solution: `validation`.
+How good each is against the exact solution: `validation`. In every field friction dissipates the power of the
+creepages, summed over the cells (to rounding; where the slip zone is shorter than a cell, nothing slips); the
+power of `force_kernel`'s own sums differs from it by 0.04 to 0.3 % of itself at 50 x 50 cells.
 """
 
 import math
@@ -26,11 +30,15 @@ CARTER = 3
 LINEAR = 4
 STRIP = 5
 POLACH = 6
+FASTSIM_SINGLE = 7
+FASTSIM_ELLIPTIC = 8
 THEORIES: dict[str, int] = {
     "carter": CARTER,
     "linear": LINEAR,
     "strip": STRIP,
     "fastsim": FASTSIM,
+    "fastsim_single": FASTSIM_SINGLE,
+    "fastsim_elliptic": FASTSIM_ELLIPTIC,
     "fastrip": FASTRIP,
     "polach": POLACH,
 }
@@ -90,10 +98,10 @@ def force_kernel(
         return fastrip.force(
             a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio, cells_x, cells_y
         )
-    if theory == FASTSIM:
+    if theory in (FASTSIM, FASTSIM_SINGLE, FASTSIM_ELLIPTIC):
         return fastsim.force(
             a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio,
-            cells_x, cells_y,
+            theory == FASTSIM_SINGLE, theory == FASTSIM_ELLIPTIC, cells_x, cells_y,
         )  # fmt: skip
     if theory == STRIP:
         return strip.force(
@@ -200,10 +208,10 @@ def field_kernel(
             a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio,
             pressure, q_x, q_y, slip_x, slip_y,
         )  # fmt: skip
-    elif theory == FASTSIM:
+    elif theory in (FASTSIM, FASTSIM_SINGLE, FASTSIM_ELLIPTIC):
         fastsim.field(
             a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio,
-            pressure, q_x, q_y, slip_x, slip_y,
+            theory == FASTSIM_SINGLE, theory == FASTSIM_ELLIPTIC, pressure, q_x, q_y, slip_x, slip_y,
         )  # fmt: skip
     elif theory == STRIP:
         strip.field(

@@ -205,6 +205,8 @@ _ROWS: tuple[tuple[str, str, Callable[[RollingCase], bool]], ...] = (
     ("strip", "all", _any),
     ("strip", "a/b = 0.2, no spin", _slender),  # what strip theory is made for
     ("fastsim", "all", _any),
+    ("fastsim_single", "all", _any),
+    ("fastsim_elliptic", "all", _any),
     ("fastrip", "all", _any),
     ("polach", "all", _any),
     ("polach", "no spin", _no_spin),

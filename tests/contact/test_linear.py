@@ -11,7 +11,7 @@ from hh_exudyn.contact.tangential import CreepForce, creep_force, traction_field
 N, MU = 1e5, 0.3
 RATIOS = [0.2, 1.0, 5.0]
 SMALL = 1e-8
-SATURATING = ["fastsim", "fastrip", "polach"]
+SATURATING = ["fastsim", "fastsim_single", "fastsim_elliptic", "fastrip", "polach"]
 
 
 def axes(ratio: float) -> tuple[float, float]:
@@ -68,7 +68,7 @@ def test_all_theories_start_with_its_slopes(theory: str, ratio: float) -> None:
 
 
 @pytest.mark.parametrize("ratio", RATIOS)
-@pytest.mark.parametrize("theory", ["fastsim", "fastrip"])
+@pytest.mark.parametrize("theory", ["fastsim", "fastsim_elliptic", "fastrip"])
 def test_three_flexibilities_superpose(theory: str, ratio: float) -> None:
     creepage = (SMALL, 0.7 * SMALL, 60.0 * SMALL)
     found, exact = both(theory, ratio, creepage)

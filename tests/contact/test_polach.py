@@ -15,6 +15,12 @@ A, B, N, MU = 6e-3, 5e-3, 1e5, 0.35
 PURE = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 200.0), (0.0, 1.0, 200.0), (0.0, 1.0, -500.0)]
 
 
+@pytest.fixture(scope="module", autouse=True)
+def compiled() -> None:
+    """Compile before the first property is timed."""
+    creep_force("fastrip", A, B, N, 1e-3, 0.0, 0.0, MU)
+
+
 @pytest.mark.parametrize("direction", PURE)
 @pytest.mark.parametrize("ratio", [0.1, 1.0, 8.0])
 def test_its_linear_range_is_kalkers(direction: tuple[float, float, float], ratio: float) -> None:
@@ -33,6 +39,18 @@ def test_the_curve_without_spin() -> None:
         nu_x = scaled * MU * N * 4.0 / math.pi / slope
         expected = 2.0 / math.pi * (scaled / (1.0 + scaled**2) + math.atan(scaled))
         assert creep_force("polach", A, B, N, nu_x, 0.0, 0.0, MU).x == pytest.approx(-MU * N * expected)
+
+
+@pytest.mark.parametrize("ratio", [0.2, 1.0, 5.0])
+@pytest.mark.parametrize("creepage", [(1e-3, 0.0), (5e-3, 0.0), (0.0, 3e-3)])
+def test_without_spin_it_is_fastsim_with_the_elliptic_bound(
+    ratio: float, creepage: tuple[float, float]
+) -> None:
+    """Both let the traction grow linearly up to friction * Hertz pressure: in closed form, and in cells."""
+    a, b = 5e-3 * math.sqrt(ratio), 5e-3 / math.sqrt(ratio)
+    formula = creep_force("polach", a, b, N, *creepage, 0.0, MU)
+    marched = creep_force("fastsim_elliptic", a, b, N, *creepage, 0.0, MU, cells=(400, 400))
+    assert (formula.x, formula.y) == pytest.approx((marched.x, marched.y), abs=1e-4 * MU * N)
 
 
 CREEPAGE = st.one_of(st.floats(-0.5, 0.5), st.floats(-0.02, 0.02))

@@ -64,6 +64,20 @@ def test_fastsim_is_where_the_literature_puts_it(table: dict[tuple[str, str], Th
     assert best.slip_mean < 0.5 * row.slip_mean
 
 
+def test_the_other_fastsims(table: dict[tuple[str, str], TheoryErrors]) -> None:
+    """The elliptic bound mends the stresses (10 % in equations.md) and worsens the forces (2.8/7.2/10.4).
+
+    The reference blends three flexibilities into one with growing slip, ours does not: that is the difference
+    in the largest errors, which are those of large spin.
+    """
+    elliptic, single = table["fastsim_elliptic", "all"], table["fastsim_single", "all"]
+    assert elliptic.force_mean == pytest.approx(0.030, abs=0.002)
+    assert elliptic.force_max == pytest.approx(0.155, abs=0.005)
+    assert elliptic.stress_mean == pytest.approx(0.116, abs=0.01)
+    assert single.force_mean == pytest.approx(0.052, abs=0.003)  # too soft under several creepages
+    assert single.force_max == pytest.approx(0.248, abs=0.005)
+
+
 def test_the_others(table: dict[tuple[str, str], TheoryErrors]) -> None:
     assert table["linear", "force <= 0.1 mu N"].force_mean < 0.01
     assert table["carter", "longitudinal only"].force_mean == pytest.approx(0.089, abs=0.003)
@@ -72,21 +86,28 @@ def test_the_others(table: dict[tuple[str, str], TheoryErrors]) -> None:
     assert table["polach", "no spin"].force_mean < 0.025
 
 
-@pytest.mark.parametrize(("theory", "column"), [("fastsim", "fastsim3")])
+@pytest.mark.parametrize(
+    ("theory", "column"),
+    [("fastsim", "fastsim3"), ("fastsim_single", "fastsim1"), ("fastsim_elliptic", "fastsim3be")],
+)
 def test_against_the_other_programs_fastsim(theory: str, column: str) -> None:
     """The reference program is of first order: its forces on 40 and 200 cells, extrapolated, are ours."""
     raw, extrapolated = [], []
     for exact in exact_forces():
         case = exact.case
+        if column == "fastsim3be" and (case.phi != 0.0 or 0.0 not in (case.nu_x, case.nu_y)):
+            continue  # it blends flexibilities where there are several creepages
         found = creep_force(theory, *case.arguments, cells=(200, 200))
         force = np.array([found.x, found.y]) / (case.friction * case.normal_force)
         fine, coarse = np.array(exact.others[f"{column}_220"]), np.array(exact.others[f"{column}_44"])
         raw.append(np.hypot(*(force - fine)))
         extrapolated.append(np.hypot(*(force - fine - (fine - coarse) / 4.0)))
-    assert np.mean(raw) < 0.002  # measured 0.11 % of mu N
-    assert max(raw) < 0.01  # 0.83 %, under large spin; the others below 0.5 %
-    assert np.mean(extrapolated) < 0.0003  # 0.013 %
-    assert max(extrapolated) < 0.004  # 0.31 %
+    # measured for the three: 0.11, 0.11, 0.23 % of mu N in the mean, 0.83 % at most (large spin)
+    assert np.mean(raw) < 0.003
+    assert max(raw) < 0.01
+    # extrapolated: 0.013, 0.012, 0.002 % in the mean, 0.31, 0.31, 0.01 % at most
+    assert np.mean(extrapolated) < 0.0005
+    assert max(extrapolated) < 0.004
 
 
 def test_the_exact_cases_are_what_they_say() -> None:
