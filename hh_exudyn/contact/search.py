@@ -33,11 +33,13 @@ POINT = 4  # three columns: the contact point from the wheelset's centre, axes o
 RADIUS = 7  # rolling radius [m]
 WHEEL_CURVATURE = 8  # lateral, convex positive [1/m]
 RAIL_CURVATURE = 9
-_DEPTH = 10  # vertical interpenetration [m]; the rest is working memory of the search
+DEPTH = 10  # vertical interpenetration [m]
 SADDLE = 11  # depth of the saddle towards the previous minimum, 0 where the regions are separate [m]
 SADDLE_Y = 12  # where that saddle lies on the wheel profile [m]; no meaning where its depth is 0
-_WEIGHT = 13  # of equation 1
-CONTACT_COLUMNS = 14
+_WEIGHT = 13  # of equation 1: working memory of the search
+LIMIT_LOW = 14  # how far a patch of strips may reach, y on the wheel profile [m]: see `neighbours`
+LIMIT_HIGH = 15
+CONTACT_COLUMNS = 16
 
 MAX_MINIMA = 12  # minima of one wheel that are kept; standard profiles have up to 4
 _RANGE_START, _RANGE_END = -0.035, 0.055  # m, the part of a wheel that can meet the rail head
@@ -79,24 +81,44 @@ def find_contacts(pair: WheelRailPair, contacts: FloatArray) -> int:
     count = _find_minima(pair, contacts)
     if count > 1:
         _share(contacts, count)
+    _complete(pair, contacts, count)
+    sort_by_approach(contacts, count)
+    return min(count, MAX_PATCHES)
+
+
+@kernel
+def find_minima(pair: WheelRailPair, contacts: FloatArray) -> int:
+    """All minima with interpenetration, as `find_contacts` but in the order of y, unshared and not limited.
+
+    Returns
+    -------
+    int
+        Their number, at most MAX_MINIMA. The saddles stay in the rows.
+    """
+    count = _find_minima(pair, contacts)
+    _complete(pair, contacts, count)
+    return count
+
+
+@kernel
+def _complete(pair: WheelRailPair, contacts: FloatArray, count: int) -> None:
+    """Fill the columns of a contact that follow from its place, depth and weight."""
     for k in range(count):
         row = contacts[k]
         z, slope, second = spline_evaluate(pair.wheel, row[Y_WHEEL])
         row[POINT], row[POINT + 1], row[POINT + 2], _ = silhouette(pair, row[Y_WHEEL], z, slope)
         row[RADIUS] = pair.nominal_radius - z
         row[WHEEL_CURVATURE] = second / (1.0 + slope * slope) ** 1.5
-        row[APPROACH] = row[_DEPTH] * math.cos(row[CONTACT_ANGLE])
+        row[APPROACH] = row[DEPTH] * math.cos(row[CONTACT_ANGLE])
         if row[_WEIGHT] < 1.0:
             row[APPROACH] *= row[_WEIGHT] ** (2.0 / 3.0)
-    _sort(contacts, count)
-    return min(count, MAX_PATCHES)
 
 
 @kernel
 def _find_minima(pair: WheelRailPair, contacts: FloatArray) -> int:
     """Sweep the wheel's nodes, find where the gap's slope changes sign, refine: rows of `contacts`.
 
-    In the order of y: Y_WHEEL, Y_RAIL, CONTACT_ANGLE, RAIL_CURVATURE, _DEPTH, SADDLE, SADDLE_Y, _WEIGHT (1).
+    In the order of y: Y_WHEEL, Y_RAIL, CONTACT_ANGLE, RAIL_CURVATURE, DEPTH, SADDLE, SADDLE_Y, _WEIGHT (1).
     """
     # The loop is most of the cost of a contact: `silhouette` and `spline_evaluate` are written out with
     # their divisions taken out of it, and what a distant node does not need is left for later.
@@ -293,7 +315,7 @@ def _add_root(
     row[Y_RAIL] = y_rail
     row[CONTACT_ANGLE] = -math.atan(slope_rail)
     row[RAIL_CURVATURE] = -second_rail / (1.0 + slope_rail * slope_rail) ** 1.5
-    row[_DEPTH] = depth
+    row[DEPTH] = depth
     row[SADDLE] = min(saddle, depth)
     row[SADDLE_Y] = saddle_y
     row[_WEIGHT] = 1.0
@@ -317,8 +339,8 @@ def _share(contacts: FloatArray, count: int) -> None:
             first -= 1
         while after < count and contacts[after, SADDLE] == _JOINED:
             after += 1
-        d1 = contacts[first:joint, _DEPTH].max()
-        d2 = contacts[joint:after, _DEPTH].max()
+        d1 = contacts[first:joint, DEPTH].max()
+        d2 = contacts[joint:after, DEPTH].max()
         p1, p2 = d1 - saddle, d2 - saddle
         if p1 + p2 > 0.0:
             contacts[first:joint, _WEIGHT] *= 1.0 - saddle / d1 * p2 / (p1 + p2)
@@ -326,7 +348,7 @@ def _share(contacts: FloatArray, count: int) -> None:
 
 
 @kernel
-def _sort(contacts: FloatArray, count: int) -> None:
+def sort_by_approach(contacts: FloatArray, count: int) -> None:
     """Order the rows by approach, deepest first (insertion; there are few)."""
     for i in range(1, count):
         j = i

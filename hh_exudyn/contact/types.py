@@ -42,6 +42,7 @@ class WheelRailModel(NamedTuple):
     shear_modulus: float  # of both bodies [Pa]
     poisson_ratio: float
     damping: float  # Hunt-Crossley damping d of the normal force N (1 + d * approach rate) [s/m]
+    normal: int  # a value of `non_elliptic.NORMAL_THEORIES`
     theory: int  # a value of `tangential.THEORIES`
     cells_x: int  # cells of the tangential solve along and across the patch
     cells_y: int
@@ -56,9 +57,9 @@ class Patch(IntEnum):
     CONTACT_ANGLE = 3  # between contact plane and track plane, positive towards the flange [rad]
     ROLLING_RADIUS = 4  # [m]
     NORMAL_FORCE = 5  # [N]
-    A = 6  # semi-axis in rolling direction [m]
+    A = 6  # semi-axis in rolling direction, of the equivalent ellipse if the patch is made of strips [m]
     B = 7  # lateral semi-axis [m]
-    P_MAX = 8  # Hertz pressure [Pa]
+    P_MAX = 8  # largest pressure [Pa]
     NU_X = 9  # longitudinal creepage [-]
     NU_Y = 10  # lateral creepage [-]
     PHI = 11  # spin creepage [1/m]

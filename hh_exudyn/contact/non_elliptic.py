@@ -1,0 +1,323 @@
+"""Non-elliptic contact patches made of strips in rolling direction: from a minimum of the gap to its patch.
+
+From the point of deepest interpenetration, the edges are sought outwards on both sides along the profiles;
+between them lie strips of equal share of the profile's y. `analyn` or `kik_piotrowski` gives half length and
+pressure of each, here they are added up to the normal force.
+"""
+
+import math
+from typing import NamedTuple
+
+from hh_exudyn.contact import analyn, kik_piotrowski
+from hh_exudyn.contact.hertz import normal_contact
+from hh_exudyn.contact.interpenetration import gap_curve
+from hh_exudyn.contact.profile_spline import spline_evaluate
+from hh_exudyn.contact.search import (
+    APPROACH,
+    CONTACT_ANGLE,
+    LIMIT_HIGH,
+    LIMIT_LOW,
+    POINT,
+    RADIUS,
+    RAIL_CURVATURE,
+    WHEEL_CURVATURE,
+    Y_RAIL,
+    Y_WHEEL,
+)
+from hh_exudyn.contact.silhouette import WheelRailPair, silhouette
+from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.kernel import kernel
+
+HERTZ = 0
+ANALYN = 1
+KIK_PIOTROWSKI = 2
+NORMAL_THEORIES: dict[str, int] = {"hertz": HERTZ, "analyn": ANALYN, "kik_piotrowski": KIK_PIOTROWSKI}
+
+# Half the sum of the lateral curvatures below which Hertz's ellipse would be wider than the profiles keep
+# their curvature (conformal contact): a relative radius of 2 m, an ellipse about 2.5 times wider than long.
+CURVATURE_FLOOR = 0.25  # 1/m
+
+# Columns of a strip
+STRIP_Y = 0  # middle, lateral from the reference point, contact frame C [m]
+STRIP_WIDTH = 1  # [m]
+STRIP_HALF_LENGTH = 2  # [m]
+STRIP_PRESSURE = 3  # at x = 0; semi-elliptic along x [Pa]
+STRIP_COLUMNS = 4
+
+_STEP_PER_WIDTH = 0.35  # of the search for the edges, over Hertz's lateral semi-axis
+_SMALLEST_STEP, _LARGEST_STEP = 0.02e-3, 1.5e-3  # m
+_MAX_STEPS = 60
+_TOLERANCE = 1e-10  # m, of an edge
+_MAX_ITERATIONS = 40
+_HALF_PI = 0.5 * math.pi
+_SQUARE_ROOT_EDGE = 0.086110  # -zeta(-1/2, 1/2) sqrt(2): what midpoints add to the area of sqrt(y) at y = 0
+
+
+class Minimum(NamedTuple):
+    """What the strips of one patch share."""
+
+    normal: int  # a value of `NORMAL_THEORIES`
+    shear_modulus: float  # [Pa]
+    poisson_ratio: float
+    z_rail: float  # height of the rail profile at the deepest point [m]
+    curvature_x: float  # A [1/m]
+    curvature_y: float  # B at the deepest point [1/m]
+    a: float  # Hertz's patch there [m]
+    b: float
+    pressure: float  # [Pa]
+
+
+def check_combination(normal: str, theory: str) -> None:
+    """Whether a tangential theory can take the patches of a normal one.
+
+    Raises
+    ------
+    ValueError
+        For strips under a theory that is made for ellipses.
+    """
+    if normal != "hertz" and theory != "fastrip":
+        raise ValueError(
+            f"theory = {theory!r} is made for ellipses; the patches of normal = {normal!r} need 'fastrip'"
+        )
+
+
+@kernel
+def minimum(
+    normal: int, pair: WheelRailPair, contact: FloatArray, shear_modulus: float, poisson_ratio: float
+) -> Minimum:
+    """A `Minimum` from a row of `search.find_minima`."""
+    curvature_x = 0.5 * math.cos(contact[CONTACT_ANGLE]) / contact[RADIUS]
+    curvature_y = max(0.5 * (contact[WHEEL_CURVATURE] + contact[RAIL_CURVATURE]), CURVATURE_FLOOR)
+    _, a, b, pressure = normal_contact(
+        contact[APPROACH], curvature_x, curvature_y, shear_modulus, poisson_ratio
+    )
+    z_rail, _, _ = spline_evaluate(pair.rail, contact[Y_RAIL])
+    return Minimum(
+        normal, shear_modulus, poisson_ratio, z_rail, curvature_x, curvature_y, a, b, pressure
+    )  # fmt: skip
+
+
+@kernel
+def strip_at(
+    pair: WheelRailPair, contact: FloatArray, low: Minimum, y_wheel: float
+) -> tuple[float, float, float, float]:
+    """Lateral coordinate s [m], `inside` (positive in contact, NaN off the profiles), half length, pressure.
+
+    The pressure of Kik and Piotrowski awaits the factor c: it is the half length here.
+    """
+    s, gap, curvature_y = gap_curve(pair, contact, low.z_rail, y_wheel)
+    if low.normal == ANALYN:
+        inside, half_length, pressure = analyn.strip(
+            gap,
+            contact[APPROACH],
+            low.curvature_x,
+            max(curvature_y, CURVATURE_FLOOR),
+            low.shear_modulus,
+            low.poisson_ratio,
+        )
+        return s, inside, half_length, pressure
+    inside, half_length = kik_piotrowski.strip(gap, s, low.curvature_x, low.curvature_y, low.a, low.b)
+    return s, inside, half_length, half_length
+
+
+@kernel
+def edge(pair: WheelRailPair, contact: FloatArray, low: Minimum, limit: float) -> float:
+    """Where the patch ends on the side of `limit`, at the latest there: y on the wheel profile [m].
+
+    Steps outwards until a strip is not in contact, then the secant method kept in its bracket (Illinois).
+    """
+    y = contact[Y_WHEEL]
+    before = 1.0
+    direction = 1.0 if limit > y else -1.0
+    step = direction * min(
+        max(_STEP_PER_WIDTH * low.b * math.cos(contact[CONTACT_ANGLE]), _SMALLEST_STEP), _LARGEST_STEP
+    )
+    outer, beyond = y, before
+    for k in range(_MAX_STEPS):
+        outer = y + step
+        if direction * (outer - limit) > 0.0:
+            outer = limit
+        _, beyond, _, _ = strip_at(pair, contact, low, outer)
+        if not beyond > 0.0:
+            break
+        if outer == limit or k == _MAX_STEPS - 1:
+            return outer
+        y, before = outer, beyond
+    for _ in range(_MAX_ITERATIONS):
+        if abs(outer - y) < _TOLERANCE:
+            break
+        middle = 0.5 * (y + outer)
+        if beyond < 0.0:  # else it is NaN, off the profile
+            middle = y + (outer - y) * before / (before - beyond)
+        _, inside, _, _ = strip_at(pair, contact, low, middle)
+        if inside > 0.0:
+            if abs(middle - y) < _TOLERANCE:
+                return middle
+            y, before = middle, inside
+            beyond *= 0.5
+        else:
+            if abs(middle - outer) < _TOLERANCE:
+                return middle
+            outer, beyond = middle, inside
+            before *= 0.5
+    return 0.5 * (y + outer)
+
+
+@kernel
+def patch_strips(
+    pair: WheelRailPair,
+    contact: FloatArray,
+    low: Minimum,
+    strips: FloatArray,
+) -> tuple[float, float, float, float]:
+    """The strips of one patch and what they carry (kernel: trusts its input).
+
+    Midpoint sums with the end corrections that make them exact for an elliptic gap: of the force (a parabola
+    over y) and of the area (a square root at each edge).
+
+    Parameters
+    ----------
+    pair : WheelRailPair
+        Profiles and pose.
+    contact : FloatArray
+        A row of `neighbours.find_patches`; on return its place is the centre of pressure.
+    low : Minimum
+        From `minimum`.
+    strips : FloatArray
+        (n, STRIP_COLUMNS) out, n >= 3.
+
+    Returns
+    -------
+    force : float
+        Normal force [N]; 0 where a limit or a neighbour has taken the whole patch.
+    max_pressure : float
+        [Pa].
+    a, b : float
+        Semi-axes of the ellipse of the same area with the aspect of longest half length to half width [m].
+    """
+    y_wheel = contact[Y_WHEEL]
+    if not (contact[LIMIT_LOW] < y_wheel and y_wheel < contact[LIMIT_HIGH] and contact[APPROACH] > 0.0):
+        return 0.0, 0.0, 0.0, 0.0
+    start = edge(pair, contact, low, contact[LIMIT_LOW])
+    end = edge(pair, contact, low, contact[LIMIT_HIGH])
+    n = strips.shape[0]
+    s_start, _, half_start, pressure_start = strip_at(pair, contact, low, start)
+    s_end, _, half_end, pressure_end = strip_at(pair, contact, low, end)
+    step = (end - start) / n
+    for i in range(n):
+        strips[i, STRIP_Y], _, strips[i, STRIP_HALF_LENGTH], strips[i, STRIP_PRESSURE] = strip_at(
+            pair, contact, low, start + (i + 0.5) * step
+        )
+    node = s_start
+    for i in range(n):
+        after = 0.5 * (strips[i, STRIP_Y] + strips[i + 1, STRIP_Y]) if i < n - 1 else s_end
+        strips[i, STRIP_WIDTH] = after - node
+        node = after
+    longest, largest, load, moment, area = low.a, low.pressure, 0.0, 0.0, 0.0
+    for i in range(n):
+        width, half_length = strips[i, STRIP_WIDTH], strips[i, STRIP_HALF_LENGTH]
+        area += width * half_length
+        share = width * half_length * strips[i, STRIP_PRESSURE]
+        load += share
+        moment += share * (i + 0.5)
+        longest = max(longest, half_length)
+        if low.normal == ANALYN:
+            largest = max(largest, strips[i, STRIP_PRESSURE])
+    y_centre = start + step * moment / load
+    load -= _end_correction(strips, 0, 1, half_start * pressure_start)
+    load -= _end_correction(strips, n - 1, n - 2, half_end * pressure_end)
+    area -= _area_correction(strips, 0, half_start) + _area_correction(strips, n - 1, half_end)
+    if low.normal != ANALYN:
+        factor = _pressure_factor(contact[APPROACH], low, strips, s_start, s_end, half_start, half_end)
+        largest = factor * longest
+        load *= factor
+        for i in range(n):
+            strips[i, STRIP_PRESSURE] *= factor
+    half_width = 0.5 * (s_end - s_start)
+    scale = math.sqrt(2.0 * area / (math.pi * longest * half_width))
+    _refer_to_centre(pair, contact, low, y_centre, strips)
+    return _HALF_PI * load, largest, scale * longest, scale * half_width
+
+
+@kernel
+def _refer_to_centre(
+    pair: WheelRailPair, contact: FloatArray, low: Minimum, y_wheel: float, strips: FloatArray
+) -> None:
+    """Take the centre of pressure as the place of a contact, and as the origin of its strips.
+
+    The contact plane there is between wheel and rail, whose slopes differ where the patch is not symmetric:
+    two equal bodies meet half way.
+    """
+    centre, _, _ = gap_curve(pair, contact, low.z_rail, y_wheel)
+    for i in range(strips.shape[0]):
+        strips[i, STRIP_Y] = pair.side * (centre - strips[i, STRIP_Y])  # y of frame C is to the left
+    z, slope, _ = spline_evaluate(pair.wheel, y_wheel)
+    px, py, pz, slope_wheel = silhouette(pair, y_wheel, z, slope)
+    contact[Y_WHEEL] = y_wheel
+    contact[Y_RAIL] = pair.side * (pair.rail_y - (pair.centre_y + py))
+    _, slope_rail, _ = spline_evaluate(pair.rail, contact[Y_RAIL])
+    contact[CONTACT_ANGLE] = -0.5 * (math.atan(slope_rail) + math.atan(slope_wheel))
+    contact[POINT], contact[POINT + 1], contact[POINT + 2] = px, py, pz
+    contact[RADIUS] = pair.nominal_radius - z
+
+
+@kernel
+def _end_correction(strips: FloatArray, first: int, second: int, at_edge: float) -> float:
+    """What the midpoint sum of half length times pressure has too much at one end.
+
+    (Width^2/24) times the slope there, from the parabola through the values at the edge and in the first two
+    strips (Euler-Maclaurin).
+    """
+    return _correction(
+        strips[first, STRIP_WIDTH],
+        at_edge,
+        strips[first, STRIP_HALF_LENGTH] * strips[first, STRIP_PRESSURE],
+        strips[second, STRIP_HALF_LENGTH] * strips[second, STRIP_PRESSURE],
+    )
+
+
+@kernel
+def _correction(width: float, at_edge: float, first: float, second: float) -> float:
+    """Euler-Maclaurin's (width^2/24) times the slope at the edge."""
+    return width * (9.0 * first - second - 8.0 * at_edge) / 72.0
+
+
+@kernel
+def _area_correction(strips: FloatArray, i: int, at_edge: float) -> float:
+    """What the midpoint sum of half lengths has too much at one end, where they begin with a square root."""
+    half_length = strips[i, STRIP_HALF_LENGTH]
+    if not half_length > at_edge:
+        return 0.0
+    return _SQUARE_ROOT_EDGE * strips[i, STRIP_WIDTH] * half_length * (1.0 - (at_edge / half_length) ** 2)
+
+
+@kernel
+def _pressure_factor(
+    approach: float,
+    low: Minimum,
+    strips: FloatArray,
+    s_start: float,
+    s_end: float,
+    half_start: float,
+    half_end: float,
+) -> float:
+    """c of Kik and Piotrowski's equations 3 and 4 [Pa/m]."""
+    n = strips.shape[0]
+    total, first, second, but_last, last = 0.0, 0.0, 0.0, 0.0, 0.0
+    for i in range(n):
+        value = kik_piotrowski.influence(
+            strips[i, STRIP_Y], strips[i, STRIP_WIDTH], strips[i, STRIP_HALF_LENGTH]
+        )
+        total += value * strips[i, STRIP_WIDTH]
+        if i == 0:
+            first = value
+        elif i == 1:
+            second = value
+        but_last, last = last, value
+    at_start = (
+        kik_piotrowski.influence(s_start, strips[0, STRIP_WIDTH], half_start) if half_start > 0.0 else 0.0
+    )
+    at_end = kik_piotrowski.influence(s_end, strips[n - 1, STRIP_WIDTH], half_end) if half_end > 0.0 else 0.0
+    total -= _correction(strips[0, STRIP_WIDTH], at_start, first, second)
+    total -= _correction(strips[n - 1, STRIP_WIDTH], at_end, last, but_last)
+    return approach * math.pi * low.shear_modulus / ((1.0 - low.poisson_ratio) * total)
