@@ -1,4 +1,4 @@
-"""The one door to numba: the decorator `kernel`, and `Bundle` for arguments of many arrays.
+"""The one door to numba: the decorator `kernel`, `scratch` memory, and `Bundle` for arguments of many arrays.
 
 Numba's file cache does not notice when a kernel in ANOTHER file changes, and then runs old code without
 a word. Here the cache folder is named by the hash of every source that kernels are made of, so that any
@@ -16,8 +16,12 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numba
+import numpy as np
 from numba import types
+from numba.core import cgutils
 from numba.experimental import structref
+from numba.extending import intrinsic
+from numpy.typing import NDArray
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -76,6 +80,38 @@ def kernel(function: F) -> F:
     """
     compiled: F = numba.njit(cache=_FOLDER is not None, error_model="numpy", nogil=True)(function)
     return compiled
+
+
+@intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
+def _on_stack(typing_context: Any, count: Any) -> Any:
+    """Pointer to `count` floats (a constant) on the stack of the kernel that asks for them."""
+    if not isinstance(count, types.IntegerLiteral):
+        return None
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        number = context.get_constant(types.intp, count.literal_value)
+        slot = cgutils.alloca_once(builder, context.get_value_type(types.float64), size=number)
+        slot.align = 64  # a vector register of any processor
+        return slot
+
+    return types.CPointer(types.float64)(count), generate
+
+
+if numba.config.DISABLE_JIT:
+
+    def scratch(shape: tuple[int, ...], count: int) -> NDArray[np.float64]:
+        """Uninitialised array of a constant shape, gone when the kernel returns; count = its size."""
+        return np.empty(shape)
+
+else:
+
+    @numba.njit(inline="always")  # type: ignore[untyped-decorator]
+    def scratch(shape: tuple[int, ...], count: int) -> NDArray[np.float64]:
+        """Uninitialised array of a constant shape, gone when the kernel returns; count = its size.
+
+        It lies on the stack: no allocation, and each thread has its own.
+        """
+        return numba.carray(_on_stack(count), shape)
 
 
 @structref.register

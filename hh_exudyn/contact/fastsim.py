@@ -16,6 +16,8 @@ from hh_exudyn.contact.kalker import coefficients
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import kernel
 
+_TINY = 1e-300  # keeps 0/0 from happening
+
 
 @kernel
 def stiffnesses(
@@ -42,16 +44,16 @@ def single_stiffness(
 
 
 @kernel
-def start(w_x: float, w_y: float) -> tuple[float, float, bool]:
+def start(w_x: float, w_y: float) -> tuple[float, float, float]:
     """Direction of the traction at the leading edge, and whether it slips there.
 
     w is the scaled rigid slip there; the bound rises with slope 2 from the leading edge.
     """
     square = w_x * w_x + w_y * w_y
     if square == 0.0:
-        return 0.0, 0.0, False
+        return 0.0, 0.0, 0.0
     factor = -1.0 / math.sqrt(square)
-    return w_x * factor, w_y * factor, square > 4.0
+    return w_x * factor, w_y * factor, 1.0 if square > 4.0 else 0.0
 
 
 @kernel
@@ -60,12 +62,11 @@ def advance(
     q_y: float,
     t_x: float,
     t_y: float,
-    slips: bool,
+    slips: float,
     step_x: float,
     step_y: float,
     bound: float,
-    wanted: bool,
-) -> tuple[float, float, float, float, bool]:
+) -> tuple[float, float, float, float, float]:
     """Carry the traction from one node to the next (equations 2.41, 2.42).
 
     Parameters
@@ -74,44 +75,40 @@ def advance(
         Traction at the old node.
     t_x, t_y : float
         Its direction, a unit vector.
-    slips : bool
-        Whether the old node slips.
+    slips : float
+        1 where the old node slips, else 0.
     step_x, step_y : float
         Rigid slip over flexibility in the middle of the cell, times the cell's length.
     bound : float
         Traction bound at the new node.
-    wanted : bool
-        Whether the direction is needed where the new node sticks (it costs a square root).
 
     Returns
     -------
     tuple
-        Traction, its direction (the old one where not wanted), and whether the new node slips.
+        Traction, its direction, and whether the new node slips (1 or 0).
 
     Notes
     -----
     q_new = q_trial - s (t_old + t_new)/2 with |q_new| = bound: slip along the mean direction. The length
     follows without a root, s = (|q_trial|^2 - bound^2)/(bound + q_trial . t_old). Where the trial traction
-    turns right round, or slip begins, the slip is along the new direction (Kalker's own step).
+    turns right round, or slip begins, the slip is along the new direction (Kalker's own step). No branches:
+    the compiler takes this step in several strips at once.
     """
     q_x -= step_x
     q_y -= step_y
     square = q_x * q_x + q_y * q_y
-    if square <= bound * bound:
-        if wanted and square > 0.0:
-            inverse = 1.0 / math.sqrt(square)
-            return q_x, q_y, q_x * inverse, q_y * inverse, False
-        return q_x, q_y, t_x, t_y, False
+    excess = 0.5 * (square - bound * bound)
     along = bound + q_x * t_x + q_y * t_y
-    if slips and along > 0.0:
-        excess = 0.5 * (square - bound * bound)
-        inverse = 1.0 / (along * bound + excess)
-        t_x = (along * q_x - excess * t_x) * inverse
-        t_y = (along * q_y - excess * t_y) * inverse
-    else:
-        inverse = 1.0 / math.sqrt(square)
-        t_x, t_y = q_x * inverse, q_y * inverse
-    return bound * t_x, bound * t_y, t_x, t_y, True
+    sticks = excess <= 0.0
+    turns = (slips > 0.5) & (along > 0.0) & (not sticks)
+    inverse = 1.0 / (along * bound + excess if turns else math.sqrt(square + _TINY))
+    ahead = along if turns else 1.0
+    back = excess if turns else 0.0
+    t_x = (ahead * q_x - back * t_x) * inverse
+    t_y = (ahead * q_y - back * t_y) * inverse
+    q_x = q_x if sticks else bound * t_x
+    q_y = q_y if sticks else bound * t_y
+    return q_x, q_y, t_x, t_y, 0.0 if sticks else 1.0
 
 
 @kernel
@@ -147,7 +144,7 @@ def force(
             node = 1.0 - k * step
             q_x, q_y, t_x, t_y, slips = advance(
                 q_x, q_y, t_x, t_y, slips,
-                step_x, step_y + spin * (node + 0.5 * step), 1.0 - node * node, False,
+                step_x, step_y + spin * (node + 0.5 * step), 1.0 - node * node,
             )  # fmt: skip
             sum_x += q_x
             sum_y += q_y
@@ -210,11 +207,11 @@ def field(
             w_y = nu_y * stiff_y + phi * x * stiff_phi
             new_x, new_y, t_x, t_y, slips = advance(
                 old_x, old_y, t_x, t_y, slips,
-                w_x * step, w_y * step, friction * strip_peak * max(1.0 - node * node, 0.0), False,
+                w_x * step, w_y * step, friction * strip_peak * max(1.0 - node * node, 0.0),
             )  # fmt: skip
             mean_x, mean_y = 0.5 * (old_x + new_x), 0.5 * (old_y + new_y)
             rate_x, rate_y = 0.0, 0.0
-            if slips:
+            if slips > 0.5:
                 rate_x = w_x - (old_x - new_x) / step
                 rate_y = w_y - (old_y - new_y) / step
                 if mean_x * rate_x + mean_y * rate_y > 0.0:  # a cell in which the traction turns round sticks
