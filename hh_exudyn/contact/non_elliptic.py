@@ -25,6 +25,7 @@ from hh_exudyn.contact.search import (
     Y_WHEEL,
 )
 from hh_exudyn.contact.silhouette import WheelRailPair, silhouette
+from hh_exudyn.contact.strips import HALF_LENGTH, PRESSURE, WIDTH, Y
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import kernel
 
@@ -36,13 +37,6 @@ NORMAL_THEORIES: dict[str, int] = {"hertz": HERTZ, "analyn": ANALYN, "kik_piotro
 # Half the sum of the lateral curvatures below which Hertz's ellipse would be wider than the profiles keep
 # their curvature (conformal contact): a relative radius of 2 m, an ellipse about 2.5 times wider than long.
 CURVATURE_FLOOR = 0.25  # 1/m
-
-# Columns of a strip
-STRIP_Y = 0  # middle, lateral from the reference point, contact frame C [m]
-STRIP_WIDTH = 1  # [m]
-STRIP_HALF_LENGTH = 2  # [m]
-STRIP_PRESSURE = 3  # at x = 0; semi-elliptic along x [Pa]
-STRIP_COLUMNS = 4
 
 _STEP_PER_WIDTH = 0.35  # of the search for the edges, over Hertz's lateral semi-axis
 _SMALLEST_STEP, _LARGEST_STEP = 0.02e-3, 1.5e-3  # m
@@ -184,7 +178,7 @@ def patch_strips(
     low : Minimum
         From `minimum`.
     strips : FloatArray
-        (n, STRIP_COLUMNS) out, n >= 3.
+        (n, STRIP_COLUMNS) out, n >= 3: see `strips`.
 
     Returns
     -------
@@ -205,24 +199,24 @@ def patch_strips(
     s_end, _, half_end, pressure_end = strip_at(pair, contact, low, end)
     step = (end - start) / n
     for i in range(n):
-        strips[i, STRIP_Y], _, strips[i, STRIP_HALF_LENGTH], strips[i, STRIP_PRESSURE] = strip_at(
+        strips[i, Y], _, strips[i, HALF_LENGTH], strips[i, PRESSURE] = strip_at(
             pair, contact, low, start + (i + 0.5) * step
         )
     node = s_start
     for i in range(n):
-        after = 0.5 * (strips[i, STRIP_Y] + strips[i + 1, STRIP_Y]) if i < n - 1 else s_end
-        strips[i, STRIP_WIDTH] = after - node
+        after = 0.5 * (strips[i, Y] + strips[i + 1, Y]) if i < n - 1 else s_end
+        strips[i, WIDTH] = after - node
         node = after
     longest, largest, load, moment, area = low.a, low.pressure, 0.0, 0.0, 0.0
     for i in range(n):
-        width, half_length = strips[i, STRIP_WIDTH], strips[i, STRIP_HALF_LENGTH]
+        width, half_length = strips[i, WIDTH], strips[i, HALF_LENGTH]
         area += width * half_length
-        share = width * half_length * strips[i, STRIP_PRESSURE]
+        share = width * half_length * strips[i, PRESSURE]
         load += share
         moment += share * (i + 0.5)
         longest = max(longest, half_length)
         if low.normal == ANALYN:
-            largest = max(largest, strips[i, STRIP_PRESSURE])
+            largest = max(largest, strips[i, PRESSURE])
     y_centre = start + step * moment / load
     load -= _end_correction(strips, 0, 1, half_start * pressure_start)
     load -= _end_correction(strips, n - 1, n - 2, half_end * pressure_end)
@@ -232,7 +226,7 @@ def patch_strips(
         largest = factor * longest
         load *= factor
         for i in range(n):
-            strips[i, STRIP_PRESSURE] *= factor
+            strips[i, PRESSURE] *= factor
     half_width = 0.5 * (s_end - s_start)
     scale = math.sqrt(2.0 * area / (math.pi * longest * half_width))
     _refer_to_centre(pair, contact, low, y_centre, strips)
@@ -250,7 +244,7 @@ def _refer_to_centre(
     """
     centre, _, _ = gap_curve(pair, contact, low.z_rail, y_wheel)
     for i in range(strips.shape[0]):
-        strips[i, STRIP_Y] = pair.side * (centre - strips[i, STRIP_Y])  # y of frame C is to the left
+        strips[i, Y] = pair.side * (centre - strips[i, Y])  # y of frame C is to the left
     z, slope, _ = spline_evaluate(pair.wheel, y_wheel)
     px, py, pz, slope_wheel = silhouette(pair, y_wheel, z, slope)
     contact[Y_WHEEL] = y_wheel
@@ -269,10 +263,10 @@ def _end_correction(strips: FloatArray, first: int, second: int, at_edge: float)
     strips (Euler-Maclaurin).
     """
     return _correction(
-        strips[first, STRIP_WIDTH],
+        strips[first, WIDTH],
         at_edge,
-        strips[first, STRIP_HALF_LENGTH] * strips[first, STRIP_PRESSURE],
-        strips[second, STRIP_HALF_LENGTH] * strips[second, STRIP_PRESSURE],
+        strips[first, HALF_LENGTH] * strips[first, PRESSURE],
+        strips[second, HALF_LENGTH] * strips[second, PRESSURE],
     )
 
 
@@ -285,10 +279,10 @@ def _correction(width: float, at_edge: float, first: float, second: float) -> fl
 @kernel
 def _area_correction(strips: FloatArray, i: int, at_edge: float) -> float:
     """What the midpoint sum of half lengths has too much at one end, where they begin with a square root."""
-    half_length = strips[i, STRIP_HALF_LENGTH]
+    half_length = strips[i, HALF_LENGTH]
     if not half_length > at_edge:
         return 0.0
-    return _SQUARE_ROOT_EDGE * strips[i, STRIP_WIDTH] * half_length * (1.0 - (at_edge / half_length) ** 2)
+    return _SQUARE_ROOT_EDGE * strips[i, WIDTH] * half_length * (1.0 - (at_edge / half_length) ** 2)
 
 
 @kernel
@@ -305,19 +299,15 @@ def _pressure_factor(
     n = strips.shape[0]
     total, first, second, but_last, last = 0.0, 0.0, 0.0, 0.0, 0.0
     for i in range(n):
-        value = kik_piotrowski.influence(
-            strips[i, STRIP_Y], strips[i, STRIP_WIDTH], strips[i, STRIP_HALF_LENGTH]
-        )
-        total += value * strips[i, STRIP_WIDTH]
+        value = kik_piotrowski.influence(strips[i, Y], strips[i, WIDTH], strips[i, HALF_LENGTH])
+        total += value * strips[i, WIDTH]
         if i == 0:
             first = value
         elif i == 1:
             second = value
         but_last, last = last, value
-    at_start = (
-        kik_piotrowski.influence(s_start, strips[0, STRIP_WIDTH], half_start) if half_start > 0.0 else 0.0
-    )
-    at_end = kik_piotrowski.influence(s_end, strips[n - 1, STRIP_WIDTH], half_end) if half_end > 0.0 else 0.0
-    total -= _correction(strips[0, STRIP_WIDTH], at_start, first, second)
-    total -= _correction(strips[n - 1, STRIP_WIDTH], at_end, last, but_last)
+    at_start = kik_piotrowski.influence(s_start, strips[0, WIDTH], half_start) if half_start > 0.0 else 0.0
+    at_end = kik_piotrowski.influence(s_end, strips[n - 1, WIDTH], half_end) if half_end > 0.0 else 0.0
+    total -= _correction(strips[0, WIDTH], at_start, first, second)
+    total -= _correction(strips[n - 1, WIDTH], at_end, last, but_last)
     return approach * math.pi * low.shear_modulus / ((1.0 - low.poisson_ratio) * total)

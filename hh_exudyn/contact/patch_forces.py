@@ -11,6 +11,7 @@ that of a patch of strips its centre of pressure; the patch is plane.
 
 import math
 
+from hh_exudyn.contact.fastrip import force_on_strips
 from hh_exudyn.contact.hertz import normal_contact
 from hh_exudyn.contact.non_elliptic import CURVATURE_FLOOR, HERTZ, minimum, patch_strips
 from hh_exudyn.contact.search import (
@@ -102,20 +103,38 @@ def add_patch(
     # Creep forces (equations.md 2.12-2.15 are the small-angle form of these creepages)
     speed = max(velocity[0], CREEPAGE_SPEED_FLOOR)
     nu_x, nu_y, phi = slip_x / speed, slip_y / speed, spin / speed
-    force_x, force_y, moment_z = force_kernel(
-        model.theory,
-        a,
-        b,
-        normal,
-        nu_x,
-        nu_y,
-        phi,
-        friction,
-        model.shear_modulus,
-        model.poisson_ratio,
-        model.cells_x,
-        model.cells_y,
-    )
+    if model.normal == HERTZ:
+        force_x, force_y, moment_z = force_kernel(
+            model.theory,
+            a,
+            b,
+            normal,
+            nu_x,
+            nu_y,
+            phi,
+            friction,
+            model.shear_modulus,
+            model.poisson_ratio,
+            model.cells_x,
+            model.cells_y,
+        )
+    elif friction > 0.0:
+        force_x, force_y, moment_z = force_on_strips(
+            strips,
+            strips.shape[0],
+            a,
+            b,
+            normal,
+            nu_x,
+            nu_y,
+            phi,
+            friction,
+            model.shear_modulus,
+            model.poisson_ratio,
+            model.cells_x,
+        )
+    else:
+        force_x, force_y, moment_z = 0.0, 0.0, 0.0
 
     force_across = cosine * force_y - sine * normal
     force_up = sine * force_y + cosine * normal

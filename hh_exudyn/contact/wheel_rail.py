@@ -20,7 +20,6 @@ from hh_exudyn.contact.neighbours import find_patches
 from hh_exudyn.contact.non_elliptic import (
     HERTZ,
     NORMAL_THEORIES,
-    STRIP_COLUMNS,
     check_combination,
 )
 from hh_exudyn.contact.patch_forces import add_patch
@@ -28,6 +27,7 @@ from hh_exudyn.contact.profile import Profile, gauge_point
 from hh_exudyn.contact.profile_spline import spline_table
 from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
 from hh_exudyn.contact.silhouette import wheel_rail_pair
+from hh_exudyn.contact.strips import STRIP_COLUMNS
 from hh_exudyn.contact.tangential import THEORIES
 from hh_exudyn.contact.types import FloatArray, WheelRailModel
 from hh_exudyn.conventions import BACK_TO_BACK, FLANGE_BACK_TO_RUNNING_CIRCLE
