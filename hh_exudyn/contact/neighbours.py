@@ -15,13 +15,15 @@ are continuous functions of the pose.
 
 Interaction. A patch presses down the surface beside it, so its neighbour carries less than it would alone.
 The approach of patch i is its rigid interpenetration less the displacement of two half-spaces under the
-forces of the others (Boussinesq; K.L. Johnson, Contact Mechanics, 1985, equation 3.22a),
+forces of the others (Boussinesq; K.L. Johnson, Contact Mechanics, 1985, equation 3.22a), each standing at its
+centre of pressure,
 
-    delta_i = d_i cos(gamma_i) - sum over j of (1 - nu)/(pi G) N_j cos(gamma_j - gamma_i)/r_ij            (2)
+    delta_i = d_i cos(gamma_i) - max(0, sum over j of c N_j cos(gamma_j - gamma_i)/r_ij - c N'_i/r'_i)     (2)
 
-each force standing at its centre of pressure. Two patches of the Manchester benchmark at y = 0, 10 mm apart,
-are the proof of it: without (2) the smaller has the higher pressure, with it the larger, as in the exact
-solution.
+with c = (1 - nu)/(pi G). A patch that is cut was solved as a whole: what lies beyond the cut, N'_i at r'_i, is
+in its own solution already. So a patch cut in two carries what it does in one piece. Two patches of the
+Manchester benchmark at y = 0, 10 mm apart, are the proof: without (2) the smaller has the higher pressure,
+with it the larger, as in the exact solution.
 """
 
 import math
@@ -36,6 +38,7 @@ from hh_exudyn.contact.search import (
     POINT,
     SADDLE,
     SADDLE_Y,
+    STIFFNESS,
     Y_WHEEL,
     find_minima,
     sort_by_approach,
@@ -44,7 +47,9 @@ from hh_exudyn.contact.silhouette import WheelRailPair
 from hh_exudyn.contact.types import MAX_PATCHES, FloatArray
 from hh_exudyn.kernel import kernel
 
-_FORCE = SADDLE  # column of a solved row that takes its normal force: the saddle is no longer needed there
+_FORCE = SADDLE  # columns for the normal force and for what lies beyond a cut: the saddles are then done with
+_BEYOND = SADDLE_Y
+_LEAST_PART = 1e-9  # of a patch's force that counts as lying beyond a cut
 _SWEEPS = 3  # of the interaction; what is left of it then is below 2 % of itself
 _RELAXATION = 0.7
 
@@ -79,9 +84,10 @@ def find_patches(
         Number of patches, at most MAX_PATCHES.
     """
     count = find_minima(pair, contacts)
-    end = pair.wheel.start + pair.wheel.step * (pair.wheel.z.size - 1)
+    end = _end(pair)
     for k in range(count):
         contacts[k, LIMIT_LOW], contacts[k, LIMIT_HIGH] = pair.wheel.start, end
+        contacts[k, STIFFNESS] = 0.0
     _cut(normal, pair, contacts, count, end, shear_modulus, poisson_ratio)
     sort_by_approach(contacts, count)
     count = min(count, MAX_PATCHES)
@@ -108,23 +114,71 @@ def _press_on_each_other(
     compliance = (1.0 - poisson_ratio) / (math.pi * shear_modulus)
     for _ in range(_SWEEPS):
         for k in range(count):
-            solved[k] = contacts[k]
-            low = minimum(normal, pair, solved[k], shear_modulus, poisson_ratio)
-            solved[k, _FORCE], _, _, _ = patch_strips(pair, solved[k], low, strips)
+            contacts[k, STIFFNESS], contacts[k, _BEYOND] = _solve_whole_and_cut(
+                normal,
+                pair,
+                contacts[k],
+                shear_modulus,
+                poisson_ratio,
+                solved[k],
+                solved[MAX_PATCHES],
+                strips,
+            )
         for k in range(count):
             row = contacts[k]
-            approach = row[DEPTH] * math.cos(row[CONTACT_ANGLE])
+            pressed = -row[_BEYOND]
             for j in range(count):
-                if j == k:
-                    continue
-                other = solved[j]
-                distance = math.hypot(
-                    other[POINT] - row[POINT],
-                    math.hypot(other[POINT + 1] - row[POINT + 1], other[POINT + 2] - row[POINT + 2]),
-                )
-                tilt = math.cos(other[CONTACT_ANGLE] - row[CONTACT_ANGLE])
-                approach -= compliance * tilt * other[_FORCE] / distance
+                if j != k:
+                    tilt = math.cos(solved[j, CONTACT_ANGLE] - row[CONTACT_ANGLE])
+                    pressed += tilt * solved[j, _FORCE] / _distance(solved[j, POINT:], row[POINT:])
+            approach = row[DEPTH] * math.cos(row[CONTACT_ANGLE]) - max(0.0, compliance * pressed)
             row[APPROACH] += _RELAXATION * (approach - row[APPROACH])
+
+
+@kernel
+def _solve_whole_and_cut(
+    normal: int,
+    pair: WheelRailPair,
+    contact: FloatArray,
+    shear_modulus: float,
+    poisson_ratio: float,
+    own: FloatArray,
+    whole: FloatArray,
+    strips: FloatArray,
+) -> tuple[float, float]:
+    """Solve a patch without and with its limits; the latter is left in the row `own`, its force in `_FORCE`.
+
+    Returns
+    -------
+    stiffness : float
+        Of the whole patch, see `non_elliptic.patch_strips`.
+    beyond : float
+        Force of the whole patch beyond the limits over its distance [N/m].
+    """
+    low = minimum(normal, pair, contact, shear_modulus, poisson_ratio)
+    own[:] = contact
+    whole[:] = contact
+    whole[LIMIT_LOW], whole[LIMIT_HIGH] = pair.wheel.start, _end(pair)
+    force, _, _, _, stiffness = patch_strips(pair, whole, low, 0.0, strips)
+    own[_FORCE], _, _, _, _ = patch_strips(pair, own, low, stiffness, strips)
+    rest = force - own[_FORCE]
+    if not rest > _LEAST_PART * force:
+        return stiffness, 0.0
+    for axis in range(POINT, POINT + 3):  # centre of pressure of the rest
+        whole[axis] = (force * whole[axis] - own[_FORCE] * own[axis]) / rest
+    return stiffness, rest / _distance(whole[POINT:], contact[POINT:])
+
+
+@kernel
+def _distance(a: FloatArray, b: FloatArray) -> float:
+    """Distance of two points, of which the arrays hold the coordinates first [m]."""
+    return math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2)
+
+
+@kernel
+def _end(pair: WheelRailPair) -> float:
+    """Last y of the wheel profile [m]."""
+    return pair.wheel.start + pair.wheel.step * (pair.wheel.z.size - 1)
 
 
 @kernel

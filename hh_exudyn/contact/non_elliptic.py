@@ -162,8 +162,9 @@ def patch_strips(
     pair: WheelRailPair,
     contact: FloatArray,
     low: Minimum,
+    stiffness: float,
     strips: FloatArray,
-) -> tuple[float, float, float, float]:
+) -> tuple[float, float, float, float, float]:
     """The strips of one patch and what they carry (kernel: trusts its input).
 
     Midpoint sums with the end corrections that make them exact for an elliptic gap: of the force (a parabola
@@ -177,6 +178,9 @@ def patch_strips(
         A row of `neighbours.find_patches`; on return its place is the centre of pressure.
     low : Minimum
         From `minimum`.
+    stiffness : float
+        c over the approach of Kik and Piotrowski's equations 3 and 4, from the whole patch where a limit cuts
+        this one; 0 to find it from this one [Pa/m^2].
     strips : FloatArray
         (n, STRIP_COLUMNS) out, n >= 3: see `strips`.
 
@@ -188,12 +192,16 @@ def patch_strips(
         [Pa].
     a, b : float
         Semi-axes of the ellipse of the same area with the aspect of longest half length to half width [m].
+    stiffness : float
+        As above; 0 with ANALYN, where each strip has its own.
     """
-    y_wheel = contact[Y_WHEEL]
-    if not (contact[LIMIT_LOW] < y_wheel and y_wheel < contact[LIMIT_HIGH] and contact[APPROACH] > 0.0):
-        return 0.0, 0.0, 0.0, 0.0
-    start = edge(pair, contact, low, contact[LIMIT_LOW])
-    end = edge(pair, contact, low, contact[LIMIT_HIGH])
+    if not contact[APPROACH] > 0.0:
+        return 0.0, 0.0, 0.0, 0.0, 0.0
+    y_wheel, limit_low, limit_high = contact[Y_WHEEL], contact[LIMIT_LOW], contact[LIMIT_HIGH]
+    start = edge(pair, contact, low, limit_low) if limit_low < y_wheel else limit_low
+    end = edge(pair, contact, low, limit_high) if limit_high > y_wheel else limit_high
+    if not start < end:
+        return 0.0, 0.0, 0.0, 0.0, 0.0
     n = strips.shape[0]
     s_start, _, half_start, pressure_start = strip_at(pair, contact, low, start)
     s_end, _, half_end, pressure_end = strip_at(pair, contact, low, end)
@@ -207,7 +215,9 @@ def patch_strips(
         after = 0.5 * (strips[i, Y] + strips[i + 1, Y]) if i < n - 1 else s_end
         strips[i, WIDTH] = after - node
         node = after
-    longest, largest, load, moment, area = low.a, low.pressure, 0.0, 0.0, 0.0
+    longest, largest, load, moment, area = 0.0, 0.0, 0.0, 0.0, 0.0
+    if limit_low < y_wheel and y_wheel < limit_high:
+        longest, largest = low.a, low.pressure  # exact, where strips may miss the middle
     for i in range(n):
         width, half_length = strips[i, WIDTH], strips[i, HALF_LENGTH]
         area += width * half_length
@@ -222,7 +232,9 @@ def patch_strips(
     load -= _end_correction(strips, n - 1, n - 2, half_end * pressure_end)
     area -= _area_correction(strips, 0, half_start) + _area_correction(strips, n - 1, half_end)
     if low.normal != ANALYN:
-        factor = _pressure_factor(contact[APPROACH], low, strips, s_start, s_end, half_start, half_end)
+        if stiffness == 0.0:
+            stiffness = _stiffness(low, strips, s_start, s_end, half_start, half_end)
+        factor = contact[APPROACH] * stiffness
         largest = factor * longest
         load *= factor
         for i in range(n):
@@ -230,7 +242,7 @@ def patch_strips(
     half_width = 0.5 * (s_end - s_start)
     scale = math.sqrt(2.0 * area / (math.pi * longest * half_width))
     _refer_to_centre(pair, contact, low, y_centre, strips)
-    return _HALF_PI * load, largest, scale * longest, scale * half_width
+    return _HALF_PI * load, largest, scale * longest, scale * half_width, stiffness
 
 
 @kernel
@@ -286,8 +298,7 @@ def _area_correction(strips: FloatArray, i: int, at_edge: float) -> float:
 
 
 @kernel
-def _pressure_factor(
-    approach: float,
+def _stiffness(
     low: Minimum,
     strips: FloatArray,
     s_start: float,
@@ -295,7 +306,7 @@ def _pressure_factor(
     half_start: float,
     half_end: float,
 ) -> float:
-    """c of Kik and Piotrowski's equations 3 and 4 [Pa/m]."""
+    """c over the approach from Kik and Piotrowski's equation 4 [Pa/m^2]."""
     n = strips.shape[0]
     total, first, second, but_last, last = 0.0, 0.0, 0.0, 0.0, 0.0
     for i in range(n):
@@ -310,4 +321,4 @@ def _pressure_factor(
     at_end = kik_piotrowski.influence(s_end, strips[n - 1, WIDTH], half_end) if half_end > 0.0 else 0.0
     total -= _correction(strips[0, WIDTH], at_start, first, second)
     total -= _correction(strips[n - 1, WIDTH], at_end, last, but_last)
-    return approach * math.pi * low.shear_modulus / ((1.0 - low.poisson_ratio) * total)
+    return math.pi * low.shear_modulus / ((1.0 - low.poisson_ratio) * total)

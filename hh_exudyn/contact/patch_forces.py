@@ -20,6 +20,7 @@ from hh_exudyn.contact.search import (
     POINT,
     RADIUS,
     RAIL_CURVATURE,
+    STIFFNESS,
     WHEEL_CURVATURE,
     Y_RAIL,
     Y_WHEEL,
@@ -80,7 +81,7 @@ def add_patch(
         )
     else:
         low = minimum(model.normal, pair, contact, model.shear_modulus, model.poisson_ratio)
-        elastic, max_pressure, a, b = patch_strips(pair, contact, low, strips)
+        elastic, max_pressure, a, b, _ = patch_strips(pair, contact, low, contact[STIFFNESS], strips)
 
     angle = contact[CONTACT_ANGLE]
     cosine, sine = math.cos(angle), pair.side * math.sin(angle)  # C is T rolled by side * angle

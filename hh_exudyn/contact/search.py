@@ -39,7 +39,8 @@ SADDLE_Y = 12  # where that saddle lies on the wheel profile [m]; no meaning whe
 _WEIGHT = 13  # of equation 1: working memory of the search
 LIMIT_LOW = 14  # how far a patch of strips may reach, y on the wheel profile [m]: see `neighbours`
 LIMIT_HIGH = 15
-CONTACT_COLUMNS = 16
+STIFFNESS = 16  # of its pressure where it is cut, else 0: see `non_elliptic.patch_strips`
+CONTACT_COLUMNS = 17
 
 MAX_MINIMA = 12  # minima of one wheel that are kept; standard profiles have up to 4
 _RANGE_START, _RANGE_END = -0.035, 0.055  # m, the part of a wheel that can meet the rail head
