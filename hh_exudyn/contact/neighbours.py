@@ -18,17 +18,17 @@ The approach of patch i is its rigid interpenetration less the displacement of t
 forces of the others (Boussinesq; K.L. Johnson, Contact Mechanics, 1985, equation 3.22a), each standing at its
 centre of pressure,
 
-    delta_i = d_i cos(gamma_i) - max(0, sum over j of c N_j cos(gamma_j - gamma_i)/r_ij - c N'_i/r'_i)     (2)
+    delta_i = d_i cos(gamma_i) - c max(0, sum over j of N_j cos(gamma_j - gamma_i)/r_ij - N'_i/r'_i)      (2)
 
-with c = (1 - nu)/(pi G). A patch that is cut was solved as a whole: what lies beyond the cut, N'_i at r'_i, is
-in its own solution already. So a patch cut in two carries what it does in one piece. Two patches of the
-Manchester benchmark at y = 0, 10 mm apart, are the proof: without (2) the smaller has the higher pressure,
-with it the larger, as in the exact solution.
+with c = (1 - nu)/(pi G). Kik and Piotrowski's pressure comes from the displacement under the whole patch; of
+a patch that is cut, the part N'_i beyond the cut, at r'_i, is in there already. ANALYN's strips know of no
+others, there N' = 0. Two patches of the Manchester benchmark at y = 0, 10 mm apart, are the proof: without
+(2) the smaller has the higher pressure, with it the larger, as in the exact solution.
 """
 
 import math
 
-from hh_exudyn.contact.non_elliptic import edge, minimum, patch_strips, strip_at
+from hh_exudyn.contact.non_elliptic import ANALYN, edge, minimum, patch_strips, strip_at
 from hh_exudyn.contact.search import (
     APPROACH,
     CONTACT_ANGLE,
@@ -153,10 +153,13 @@ def _solve_whole_and_cut(
     stiffness : float
         Of the whole patch, see `non_elliptic.patch_strips`.
     beyond : float
-        Force of the whole patch beyond the limits over its distance [N/m].
+        Force of the whole patch beyond the limits over its distance [N/m]; both 0 with ANALYN.
     """
     low = minimum(normal, pair, contact, shear_modulus, poisson_ratio)
     own[:] = contact
+    if normal == ANALYN:
+        own[_FORCE], _, _, _, _ = patch_strips(pair, own, low, 0.0, strips)
+        return 0.0, 0.0
     whole[:] = contact
     whole[LIMIT_LOW], whole[LIMIT_HIGH] = pair.wheel.start, _end(pair)
     force, _, _, _, stiffness = patch_strips(pair, whole, low, 0.0, strips)
