@@ -8,20 +8,37 @@ All is in side coordinates, so left and right wheels give the same numbers.
 """
 
 import math
+from typing import NamedTuple
 
 from hh_exudyn.contact.profile_spline import spline_evaluate
-from hh_exudyn.contact.search import CONTACT_ANGLE, DEPTH, Y_RAIL
 from hh_exudyn.contact.silhouette import WheelRailPair, silhouette
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import kernel
 
 _STEEPEST = 0.17  # cosine of 80 degrees to the contact plane: nothing further round is in the same patch
 
 
+class Minimum(NamedTuple):
+    """The point of deepest interpenetration, and what the strips around it share."""
+
+    normal: int  # a value of `non_elliptic.NORMAL_THEORIES`
+    y_wheel: float  # side coordinates [m]
+    y_rail: float
+    z_rail: float
+    cosine: float  # of the contact angle
+    sine: float
+    depth: float  # rigid interpenetration along the normal [m]
+    approach: float  # elastic approach [m]: the same less what neighbours press down
+    curvature_x: float  # A, half the sum of the curvatures in rolling direction [1/m]
+    curvature_y: float  # B, lateral
+    a: float  # Hertz's patch for them [m]
+    b: float
+    pressure: float  # [Pa]
+    shear_modulus: float  # [Pa]
+    poisson_ratio: float
+
+
 @kernel
-def gap_curve(
-    pair: WheelRailPair, contact: FloatArray, z_origin: float, y_wheel: float
-) -> tuple[float, float, float]:
+def gap_curve(pair: WheelRailPair, low: Minimum, y_wheel: float) -> tuple[float, float, float]:
     """Gap and curvature at one lateral position of a contact.
 
     From a point of the rail, the wheel is reached along the normal n of the contact plane after the distance
@@ -32,10 +49,8 @@ def gap_curve(
     ----------
     pair : WheelRailPair
         Profiles and pose.
-    contact : FloatArray
-        A row of `search.find_minima`: the point of deepest interpenetration.
-    z_origin : float
-        Height of the rail profile at that point [m].
+    low : Minimum
+        The point of deepest interpenetration.
     y_wheel : float
         Lateral position on the wheel profile [m].
 
@@ -53,15 +68,14 @@ def gap_curve(
     _, py, pz, slope_wheel = silhouette(pair, y_wheel, z_wheel, slope)
     y_rail = pair.side * (pair.rail_y - (pair.centre_y + py))
     z_rail, slope_rail, second_rail = spline_evaluate(pair.rail, y_rail)
-    cosine, sine = math.cos(contact[CONTACT_ANGLE]), math.sin(contact[CONTACT_ANGLE])
-    projection = cosine - slope_wheel * sine
+    projection = low.cosine - slope_wheel * low.sine
     if not projection > _STEEPEST:
         return math.nan, math.nan, math.nan
     vertical = pair.centre_z + pz - pair.rail_z - z_rail
     wheel_square, rail_square = 1.0 + slope * slope, 1.0 + slope_rail * slope_rail
     return (
-        (y_rail - contact[Y_RAIL]) * cosine - (z_rail - z_origin) * sine,
-        contact[DEPTH] * cosine + vertical / projection,
+        (y_rail - low.y_rail) * low.cosine - (z_rail - low.z_rail) * low.sine,
+        low.depth + vertical / projection,
         0.5
         * (
             second / (wheel_square * math.sqrt(wheel_square))

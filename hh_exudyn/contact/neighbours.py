@@ -18,7 +18,7 @@ The approach of patch i is its rigid interpenetration less the displacement of t
 forces of the others (Boussinesq; K.L. Johnson, Contact Mechanics, 1985, equation 3.22a), each standing at its
 centre of pressure,
 
-    delta_i = d_i cos(gamma_i) - c max(0, sum over j of N_j cos(gamma_j - gamma_i)/r_ij - N'_i/r'_i)      (2)
+    delta_i = d_i cos(gamma_i) - c max(0, sum over j of N_j cos(gamma_j - gamma_i)/r_ij - N'_i/r'_i)     (2)
 
 with c = (1 - nu)/(pi G). Kik and Piotrowski's pressure comes from the displacement under the whole patch; of
 a patch that is cut, the part N'_i beyond the cut, at r'_i, is in there already. ANALYN's strips know of no
@@ -209,15 +209,14 @@ def _cut(
         inequality = 1.0 - 2.0 * (depth - saddle) / prominences if prominences > 0.0 else 0.0
         far = edge(
             pair,
-            shallow,
             minimum(normal, pair, shallow, shear_modulus, poisson_ratio),
             end if upper_yields else pair.wheel.start,
         )
         reach = inequality * (far - y_saddle)
         of_shallow = y_saddle + saddle / depth * reach
         low = minimum(normal, pair, deep, shear_modulus, poisson_ratio)
-        _, at_saddle, _, _ = strip_at(pair, deep, low, y_saddle)
-        _, at_shallow, _, _ = strip_at(pair, deep, low, shallow[Y_WHEEL])
+        _, at_saddle, _, _ = strip_at(pair, low, y_saddle)
+        _, at_shallow, _, _ = strip_at(pair, low, shallow[Y_WHEEL])
         of_deep = y_saddle
         if at_saddle > 0.0 and at_shallow > 0.0:
             of_deep += min(at_saddle / at_shallow, saddle / depth) * reach

@@ -6,15 +6,15 @@ pressure of each, here they are added up to the normal force.
 """
 
 import math
-from typing import NamedTuple
 
 from hh_exudyn.contact import analyn, kik_piotrowski
 from hh_exudyn.contact.hertz import normal_contact
-from hh_exudyn.contact.interpenetration import gap_curve
+from hh_exudyn.contact.interpenetration import Minimum, gap_curve
 from hh_exudyn.contact.profile_spline import spline_evaluate
 from hh_exudyn.contact.search import (
     APPROACH,
     CONTACT_ANGLE,
+    DEPTH,
     LIMIT_HIGH,
     LIMIT_LOW,
     POINT,
@@ -38,27 +38,13 @@ NORMAL_THEORIES: dict[str, int] = {"hertz": HERTZ, "analyn": ANALYN, "kik_piotro
 # their curvature (conformal contact): a relative radius of 2 m, an ellipse about 2.5 times wider than long.
 CURVATURE_FLOOR = 0.25  # 1/m
 
-_STEP_PER_WIDTH = 0.35  # of the search for the edges, over Hertz's lateral semi-axis
+_STEP_PER_WIDTH = 0.52  # of the search for the edges, over Hertz's lateral semi-axis
 _SMALLEST_STEP, _LARGEST_STEP = 0.02e-3, 1.5e-3  # m
 _MAX_STEPS = 60
-_TOLERANCE = 1e-10  # m, of an edge
+_TOLERANCE = 1e-9  # m, of an edge
 _MAX_ITERATIONS = 40
 _HALF_PI = 0.5 * math.pi
 _SQUARE_ROOT_EDGE = 0.086110  # -zeta(-1/2, 1/2) sqrt(2): what midpoints add to the area of sqrt(y) at y = 0
-
-
-class Minimum(NamedTuple):
-    """What the strips of one patch share."""
-
-    normal: int  # a value of `NORMAL_THEORIES`
-    shear_modulus: float  # [Pa]
-    poisson_ratio: float
-    z_rail: float  # height of the rail profile at the deepest point [m]
-    curvature_x: float  # A [1/m]
-    curvature_y: float  # B at the deepest point [1/m]
-    a: float  # Hertz's patch there [m]
-    b: float
-    pressure: float  # [Pa]
 
 
 def check_combination(normal: str, theory: str) -> None:
@@ -80,30 +66,41 @@ def minimum(
     normal: int, pair: WheelRailPair, contact: FloatArray, shear_modulus: float, poisson_ratio: float
 ) -> Minimum:
     """A `Minimum` from a row of `search.find_minima`."""
-    curvature_x = 0.5 * math.cos(contact[CONTACT_ANGLE]) / contact[RADIUS]
+    cosine, approach = math.cos(contact[CONTACT_ANGLE]), contact[APPROACH]
+    curvature_x = 0.5 * cosine / contact[RADIUS]
     curvature_y = max(0.5 * (contact[WHEEL_CURVATURE] + contact[RAIL_CURVATURE]), CURVATURE_FLOOR)
-    _, a, b, pressure = normal_contact(
-        contact[APPROACH], curvature_x, curvature_y, shear_modulus, poisson_ratio
-    )
+    _, a, b, pressure = normal_contact(approach, curvature_x, curvature_y, shear_modulus, poisson_ratio)
     z_rail, _, _ = spline_evaluate(pair.rail, contact[Y_RAIL])
     return Minimum(
-        normal, shear_modulus, poisson_ratio, z_rail, curvature_x, curvature_y, a, b, pressure
-    )  # fmt: skip
+        normal,
+        contact[Y_WHEEL],
+        contact[Y_RAIL],
+        z_rail,
+        cosine,
+        math.sin(contact[CONTACT_ANGLE]),
+        contact[DEPTH] * cosine,
+        approach,
+        curvature_x,
+        curvature_y,
+        a,
+        b,
+        pressure,
+        shear_modulus,
+        poisson_ratio,
+    )
 
 
 @kernel
-def strip_at(
-    pair: WheelRailPair, contact: FloatArray, low: Minimum, y_wheel: float
-) -> tuple[float, float, float, float]:
+def strip_at(pair: WheelRailPair, low: Minimum, y_wheel: float) -> tuple[float, float, float, float]:
     """Lateral coordinate s [m], `inside` (positive in contact, NaN off the profiles), half length, pressure.
 
     The pressure of Kik and Piotrowski awaits the factor c: it is the half length here.
     """
-    s, gap, curvature_y = gap_curve(pair, contact, low.z_rail, y_wheel)
+    s, gap, curvature_y = gap_curve(pair, low, y_wheel)
     if low.normal == ANALYN:
         inside, half_length, pressure = analyn.strip(
             gap,
-            contact[APPROACH],
+            low.approach,
             low.curvature_x,
             max(curvature_y, CURVATURE_FLOOR),
             low.shear_modulus,
@@ -115,46 +112,46 @@ def strip_at(
 
 
 @kernel
-def edge(pair: WheelRailPair, contact: FloatArray, low: Minimum, limit: float) -> float:
+def edge(pair: WheelRailPair, low: Minimum, limit: float) -> float:
     """Where the patch ends on the side of `limit`, at the latest there: y on the wheel profile [m].
 
-    Steps outwards until a strip is not in contact, then the secant method kept in its bracket (Illinois).
+    Steps outwards until a strip is not in contact, then the secant method kept in its bracket (Illinois) over
+    the square of the distance, in which an ellipse's `inside` is a straight line.
     """
-    y = contact[Y_WHEEL]
-    before = 1.0
-    direction = 1.0 if limit > y else -1.0
-    step = direction * min(
-        max(_STEP_PER_WIDTH * low.b * math.cos(contact[CONTACT_ANGLE]), _SMALLEST_STEP), _LARGEST_STEP
-    )
-    outer, beyond = y, before
+    direction = 1.0 if limit > low.y_wheel else -1.0
+    step = min(max(_STEP_PER_WIDTH * low.b * low.cosine, _SMALLEST_STEP), _LARGEST_STEP)
+    furthest = direction * (limit - low.y_wheel)
+    inner, before = 0.0, 1.0
+    outer, beyond = 0.0, 1.0
     for k in range(_MAX_STEPS):
-        outer = y + step
-        if direction * (outer - limit) > 0.0:
-            outer = limit
-        _, beyond, _, _ = strip_at(pair, contact, low, outer)
+        outer = min(inner + step, furthest)
+        _, beyond, _, _ = strip_at(pair, low, low.y_wheel + direction * outer)
         if not beyond > 0.0:
             break
-        if outer == limit or k == _MAX_STEPS - 1:
-            return outer
-        y, before = outer, beyond
+        if outer == furthest or k == _MAX_STEPS - 1:
+            return low.y_wheel + direction * outer
+        inner, before = outer, beyond
+    middle = inner
+    moved = 0  # which end moved last: -1 the inner, 1 the outer
     for _ in range(_MAX_ITERATIONS):
-        if abs(outer - y) < _TOLERANCE:
-            break
-        middle = 0.5 * (y + outer)
+        middle = 0.5 * (inner + outer)
         if beyond < 0.0:  # else it is NaN, off the profile
-            middle = y + (outer - y) * before / (before - beyond)
-        _, inside, _, _ = strip_at(pair, contact, low, middle)
+            part = before / (before - beyond)
+            middle = math.sqrt(inner * inner + (outer * outer - inner * inner) * part)
+        if min(middle - inner, outer - middle) < _TOLERANCE:
+            break
+        _, inside, _, _ = strip_at(pair, low, low.y_wheel + direction * middle)
         if inside > 0.0:
-            if abs(middle - y) < _TOLERANCE:
-                return middle
-            y, before = middle, inside
-            beyond *= 0.5
+            inner, before = middle, inside
+            if moved == -1:
+                beyond *= 0.5
+            moved = -1
         else:
-            if abs(middle - outer) < _TOLERANCE:
-                return middle
             outer, beyond = middle, inside
-            before *= 0.5
-    return 0.5 * (y + outer)
+            if moved == 1:
+                before *= 0.5
+            moved = 1
+    return low.y_wheel + direction * middle
 
 
 @kernel
@@ -195,20 +192,20 @@ def patch_strips(
     stiffness : float
         As above; 0 with ANALYN, where each strip has its own.
     """
-    if not contact[APPROACH] > 0.0:
+    if not low.approach > 0.0:
         return 0.0, 0.0, 0.0, 0.0, 0.0
-    y_wheel, limit_low, limit_high = contact[Y_WHEEL], contact[LIMIT_LOW], contact[LIMIT_HIGH]
-    start = edge(pair, contact, low, limit_low) if limit_low < y_wheel else limit_low
-    end = edge(pair, contact, low, limit_high) if limit_high > y_wheel else limit_high
+    y_wheel, limit_low, limit_high = low.y_wheel, contact[LIMIT_LOW], contact[LIMIT_HIGH]
+    start = edge(pair, low, limit_low) if limit_low < y_wheel else limit_low
+    end = edge(pair, low, limit_high) if limit_high > y_wheel else limit_high
     if not start < end:
         return 0.0, 0.0, 0.0, 0.0, 0.0
     n = strips.shape[0]
-    s_start, _, half_start, pressure_start = strip_at(pair, contact, low, start)
-    s_end, _, half_end, pressure_end = strip_at(pair, contact, low, end)
+    s_start, _, half_start, pressure_start = strip_at(pair, low, start)
+    s_end, _, half_end, pressure_end = strip_at(pair, low, end)
     step = (end - start) / n
     for i in range(n):
         strips[i, Y], _, strips[i, HALF_LENGTH], strips[i, PRESSURE] = strip_at(
-            pair, contact, low, start + (i + 0.5) * step
+            pair, low, start + (i + 0.5) * step
         )
     node = s_start
     for i in range(n):
@@ -234,7 +231,7 @@ def patch_strips(
     if low.normal != ANALYN:
         if stiffness == 0.0:
             stiffness = _stiffness(low, strips, s_start, s_end, half_start, half_end)
-        factor = contact[APPROACH] * stiffness
+        factor = low.approach * stiffness
         largest = factor * longest
         load *= factor
         for i in range(n):
@@ -254,7 +251,7 @@ def _refer_to_centre(
     The contact plane there is between wheel and rail, whose slopes differ where the patch is not symmetric:
     two equal bodies meet half way.
     """
-    centre, _, _ = gap_curve(pair, contact, low.z_rail, y_wheel)
+    centre, _, _ = gap_curve(pair, low, y_wheel)
     for i in range(strips.shape[0]):
         strips[i, Y] = pair.side * (centre - strips[i, Y])  # y of frame C is to the left
     z, slope, _ = spline_evaluate(pair.wheel, y_wheel)

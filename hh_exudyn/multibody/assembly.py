@@ -66,6 +66,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
             nominal_radius=radii.pop(),
             material=STEEL,
             damping=case.contact.damping_s_per_m,
+            normal=case.contact.normal,
             theory=case.contact.theory,
             cells=case.contact.cells,
         ),

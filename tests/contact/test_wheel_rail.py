@@ -10,10 +10,11 @@ import pytest
 
 from hh_exudyn.contact.hertz import hertz_patch
 from hh_exudyn.contact.material import STEEL
+from hh_exudyn.contact.non_elliptic import CURVATURE_FLOOR
 from hh_exudyn.contact.profile import Profile, rail_profile, wheel_profile
 from hh_exudyn.contact.profile_spline import spline_evaluate
 from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, Patch, WheelRailModel
-from hh_exudyn.contact.wheel_rail import CURVATURE_FLOOR, wheel_rail_forces, wheel_rail_model
+from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 
 REFERENCE = Path(__file__).parents[1] / "reference" / "wheel_rail_mbench_a22.csv"
 R0 = 0.46
