@@ -43,6 +43,8 @@ class ContactState:
         Lateral position of the wheelset's centre, positive to the left [m].
     approach : float
         Elastic approach along the normal [m].
+    roll : float
+        Roll of the wheelset, right-hand about x [rad].
     """
 
     side: int
@@ -68,6 +70,7 @@ class ContactState:
     angle_of_attack: float
     y_wheelset: float
     approach: float
+    roll: float
 
 
 def contact_state(
@@ -78,6 +81,7 @@ def contact_state(
     vertical: float,
     outwards: float,
     yaw: float,
+    roll: float,
     lateral: float,
 ) -> ContactState:
     """A patch as the kernel wrote it (`types.Patch`), with what it does not hold, by names."""
@@ -105,4 +109,5 @@ def contact_state(
         angle_of_attack=yaw,
         y_wheelset=lateral,
         approach=float(row[Patch.APPROACH]),
+        roll=roll,
     )

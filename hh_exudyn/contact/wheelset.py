@@ -319,6 +319,7 @@ def _solve(
             vertical=vertical,
             outwards=outwards,
             yaw=pose.yaw,
+            roll=roll,
             lateral=pose.lateral,
         )
         for row in patches[0, index]

@@ -18,6 +18,7 @@ _FIRST_COPIED = int(Patch.Y_WHEEL)  # columns of a contact state that the log ta
 _LAST_COPIED = int(Patch.FRICTION)  # up to this one, followed by the speed and the creep forces
 _NORMAL_FORCE = int(Patch.NORMAL_FORCE)
 _FORCE_X = int(Patch.FORCE_X)
+_APPROACH = int(Patch.APPROACH)
 
 
 class LogWriter:
@@ -70,6 +71,7 @@ def _contact_rows(work: Workspace, bogies: IntArray, time: float, rows: FloatArr
     count = 0
     for w in range(bogies.size):
         angle_of_attack = math.atan2(-work.frame_axle[w, 0], work.frame_axle[w, 1])
+        roll = math.asin(work.frame_axle[w, 2])
         for index in range(2):
             side = LEFT if index == 0 else RIGHT
             for number in range(work.patches.shape[2]):
@@ -95,6 +97,8 @@ def _contact_rows(work: Workspace, bogies: IntArray, time: float, rows: FloatArr
                 row[k + 5] = work.rail_force[w, index, 0] * side
                 row[k + 6] = angle_of_attack
                 row[k + 7] = work.frame_position[w, 1]
+                row[k + 8] = patch[_APPROACH]
+                row[k + 9] = roll
                 count += 1
     return count
 
