@@ -82,7 +82,8 @@ def random_state(n: int, seed: int) -> State:
     return state
 
 
-def test_mirrored_states_give_mirrored_forces() -> None:
+@pytest.mark.parametrize("normal", ["hertz", "analyn", "kik_piotrowski"])
+def test_mirrored_states_give_mirrored_forces(normal: str) -> None:
     n = 60
     state = random_state(n, 1)
     mirrored = State(n)
@@ -96,7 +97,7 @@ def test_mirrored_states_give_mirrored_forces() -> None:
     mirrored.gauge, mirrored.friction = state.gauge, state.friction[:, ::-1].copy()
     for array in ("position", "axle", "velocity", "angular_velocity", "rail_displacement", "rail_velocity"):
         setattr(mirrored, array, np.ascontiguousarray(getattr(mirrored, array)))
-    damped = model(damping=2.0)
+    damped = model(damping=2.0, normal=normal)
     assert state.solve(damped).status == mirrored.solve(damped).status == 0
     np.testing.assert_allclose(mirrored.wrench[:, :3], state.wrench[:, :3] * flip, rtol=1e-9, atol=1e-6)
     np.testing.assert_allclose(mirrored.wrench[:, 3:], state.wrench[:, 3:] * axial, rtol=1e-9, atol=1e-6)
@@ -263,6 +264,8 @@ def test_model_checks_its_input() -> None:
         ({"back_to_back": 1360.0}, "back_to_back"),
         ({"damping": -1.0}, "damping"),
         ({"theory": "magic"}, "fastrip"),
+        ({"normal": "magic"}, "kik_piotrowski"),
+        ({"normal": "analyn", "theory": "fastsim"}, "'fastrip'"),
         ({"cells": (0, 15)}, "cells"),
     ):
         with pytest.raises(ValueError, match=message):
