@@ -1,5 +1,6 @@
 """Log rows against the work space they are taken from, column by column and by name."""
 
+import math
 from types import SimpleNamespace
 
 import numpy as np
