@@ -12,7 +12,7 @@ from hh_exudyn.contact.kalker import kalker_coefficients
 from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.tangential import cell_areas, creep_force, traction_field
 
-REFERENCE = Path(__file__).parents[1] / "reference" / "creep_forces.csv"
+REFERENCE = Path(__file__).parents[2] / "hh_exudyn" / "data" / "validation" / "creep_forces.csv"
 
 
 def cases() -> list[dict[str, str]]:
