@@ -1,4 +1,4 @@
-"""The one door to numba: the decorator `kernel`, `scratch` memory, and `Bundle` for arguments of many arrays.
+"""The one door to numba: the decorator `kernel`, scratch `memory`, and `Bundle` for arguments of many arrays.
 
 Numba's file cache does not notice when a kernel in ANOTHER file changes, and then runs old code without
 a word. Here the cache folder is named by the hash of every source that kernels are made of, so that any
@@ -9,6 +9,7 @@ A kernel never raises: it returns a status or NaN, and its caller raises with wh
 """
 
 import hashlib
+import math
 import os
 import warnings
 from collections.abc import Callable
@@ -82,7 +83,7 @@ def kernel(function: F) -> F:
     return compiled
 
 
-@intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
+@intrinsic(prefer_literal=True)
 def _on_stack(typing_context: Any, count: Any) -> Any:
     """Pointer to `count` floats (a constant) on the stack of the kernel that asks for them."""
     if not isinstance(count, types.IntegerLiteral):
@@ -97,21 +98,22 @@ def _on_stack(typing_context: Any, count: Any) -> Any:
     return types.CPointer(types.float64)(count), generate
 
 
-if numba.config.DISABLE_JIT:
+def _plain_memory(count: int) -> NDArray[np.float64]:
+    return np.empty(count)
 
-    def scratch(shape: tuple[int, ...], count: int) -> NDArray[np.float64]:
-        """Uninitialised array of a constant shape, gone when the kernel returns; count = its size."""
-        return np.empty(shape)
 
-else:
+def _plain_shaped(place: NDArray[np.float64], shape: tuple[int, ...]) -> NDArray[np.float64]:
+    return place[: math.prod(shape)].reshape(shape)
 
-    @numba.njit(inline="always")  # type: ignore[untyped-decorator]
-    def scratch(shape: tuple[int, ...], count: int) -> NDArray[np.float64]:
-        """Uninitialised array of a constant shape, gone when the kernel returns; count = its size.
 
-        It lies on the stack: no allocation, and each thread has its own.
-        """
-        return numba.carray(_on_stack(count), shape)
+# `memory(count)`: uninitialised memory for `count` floats (a constant) on the stack, gone when the kernel
+# returns. `shaped(place, shape)`: the array of a constant shape lying there. A shape known to the compiler
+# tells it which parts cannot overlap, and that decides whether a loop becomes vector instructions. An array
+# passed on to another kernel loses its shape: so the memory is passed on, and shaped again.
+memory: Callable[[int], Any] = _plain_memory if numba.config.DISABLE_JIT else _on_stack
+shaped: Callable[[Any, tuple[int, ...]], NDArray[np.float64]] = (
+    _plain_shaped if numba.config.DISABLE_JIT else numba.carray
+)
 
 
 @structref.register

@@ -21,7 +21,13 @@ def test_package_comes_from_site_packages(name: str) -> None:
 
 @pytest.mark.parametrize(
     "package, file",
-    [("hh_exudyn", "demo.toml"), ("vehicles", "iore_wagon.toml"), ("track", "flexibility.toml")],
+    [
+        ("hh_exudyn", "demo.toml"),
+        ("hh_exudyn", "validation/creep_forces.csv"),
+        ("hh_exudyn", "validation/stress_fields.npz"),
+        ("vehicles", "iore_wagon.toml"),
+        ("track", "flexibility.toml"),
+    ],
 )
 def test_data_files_are_in_the_packages(package: str, file: str) -> None:
     assert (resources.files(package) / "data" / file).is_file()

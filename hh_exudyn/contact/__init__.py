@@ -9,9 +9,15 @@
 `search`          all contact patches of a wheel on its rail, for a full pose of the wheelset
 `hertz`           normal contact: ellipse, pressure, approach
 `kalker`          creep coefficients of the linear theory
+`carter`          line contact, 1926
+`linear`          Kalker's linear theory
+`strip`           Haines and Ollerton, 1963, Kalker 1967: every strip a line contact
+`polach`          Polach's closed formulas, 1999
 `fastsim`         Kalker's simplified theory, 1982
 `fastrip`         Sichani, Enblom and Berg, 2016: strip theory with FASTSIM directions
+`theories`        the tangential theories by number, the kernels that call them
 `tangential`      one signature for all tangential theories: `creep_force`, `traction_field`
+`validation`      errors of the tangential theories against the exact solution
 `wheel_rail`      pose and velocity of wheelsets and rails -> wrenches and contact states, in one kernel
 ================  ===================================================================================
 """

@@ -4,32 +4,41 @@ A patch of any shape is an array of strips along the rolling direction, one a ro
 `PRESSURE`: lateral position of the strip's centre in the contact frame (its origin is the point whose
 creepages are given) [m], width [m], half length [m], and pressure in the strip's middle [Pa]. Strips lie
 symmetric about x = 0 and the pressure is semi-elliptic along each. Rows without length are empty. The ellipse
-of Hertz is one way of filling them.
+of Hertz is one way of making them.
 
 The march of FASTSIM along a strip is a chain of dependent steps, but strips know nothing of each other: so
-one step is taken in `LANES` strips before the next one. The innermost loop runs over the lanes and has no
-branches, and the compiler makes vector instructions of it. The state of up to `BLOCK` strips lies in a scratch
-array (rows, GROUPS, LANES) on the stack.
+one step is taken in all of a block of strips before the next one. The state of a block lies in scratch memory
+on the stack, shaped (rows, GROUPS, LANES); the innermost loops run over the lanes and have no branches, and
+the compiler makes vector instructions of them.
 """
 
 import math
 
-from hh_exudyn.contact.types import FloatArray
-from hh_exudyn.kernel import kernel
+from hh_exudyn.contact.types import FloatArray, Memory
+from hh_exudyn.kernel import kernel, shaped
 
-Y, WIDTH, HALF_LENGTH, PRESSURE = 0, 1, 2, 3  # columns of a strip
+# columns of a strip, and first rows of a block's state
+Y, WIDTH, HALF_LENGTH, PRESSURE = 0, 1, 2, 3
 STRIP_COLUMNS = 4
+# what `fastsim_march` carries along: scaled rigid slip per cell (its lateral part is w_y + spin xi), traction,
+# its direction, whether it slips, the sum of the directions at the last cell's two ends, first cell to march
+W_X, W_Y, SPIN, Q_X, Q_Y, T_X, T_Y, SLIPS, BOTH_X, BOTH_Y, FIRST = 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14
+SUM_X, SUM_Y, SUM_M = 15, 16, 17  # sums over the cells of a strip
+PART, KAPPA, LAMBDA, PRIME, FULL = 18, 19, 20, 21, 22  # what `fastrip_theory.strip` gives
+ROWS = 23
 
 LANES = 8  # strips of one vector: eight doubles fill the widest registers
 GROUPS = 8
-BLOCK = LANES * GROUPS
+BLOCK = LANES * GROUPS  # strips of one block
+SHAPE = (ROWS, GROUPS, LANES)
+STATE_SIZE = ROWS * BLOCK
 
 
 @kernel
-def fill_ellipse(
-    a: float, b: float, max_pressure: float, first: int, count: int, total: int, strips: FloatArray
-) -> None:
-    """Fill `count` rows with the strips first, first + 1 ... of an ellipse cut into `total` strips.
+def load_ellipse(
+    a: float, b: float, max_pressure: float, first: int, count: int, total: int, state: Memory
+) -> int:
+    """Put the strips first .. first + count - 1 of an ellipse cut into `total` strips into a block.
 
     Parameters
     ----------
@@ -39,14 +48,53 @@ def fill_ellipse(
         Hertz pressure [Pa].
     first, count, total : int
         First strip and number of strips wanted, number of strips of the whole ellipse.
-    strips : ndarray, (>= count, 4)
-        See the module's docstring.
+    state : memory
+        Of the block; lanes beyond the last strip become empty strips.
+
+    Returns
+    -------
+    int
+        Number of groups in use.
     """
-    width = 2.0 * b / total
-    for row in range(count):
-        lateral = -1.0 + (2 * (first + row) + 1) / total
-        cosine = math.sqrt(1.0 - lateral * lateral)
-        strips[row, Y] = b * lateral
-        strips[row, WIDTH] = width
-        strips[row, HALF_LENGTH] = a * cosine
-        strips[row, PRESSURE] = max_pressure * cosine
+    s = shaped(state, SHAPE)
+    width, inverse = 2.0 * b / total, 1.0 / total
+    groups = (count + LANES - 1) // LANES
+    for g in range(groups):
+        for lane in range(LANES):
+            row = g * LANES + lane
+            lateral = (2 * (first + row) + 1) * inverse - 1.0
+            square = 1.0 - lateral * lateral
+            exists = (row < count) & (square > 0.0)
+            cosine = math.sqrt(square if exists else 1.0)
+            s[Y, g, lane] = b * lateral
+            s[WIDTH, g, lane] = width if exists else 0.0
+            s[HALF_LENGTH, g, lane] = a * cosine if exists else 0.0
+            s[PRESSURE, g, lane] = max_pressure * cosine
+    return groups
+
+
+@kernel
+def load_strips(strips: FloatArray, first: int, count: int, state: Memory) -> int:
+    """Put `count` rows of an array of strips, from row `first`, into a block; returns as `load_ellipse`."""
+    s = shaped(state, SHAPE)
+    groups = (count + LANES - 1) // LANES
+    for g in range(groups):
+        for lane in range(LANES):
+            row = g * LANES + lane
+            exists = row < count
+            if exists:
+                exists = strips[first + row, HALF_LENGTH] > 0.0 and strips[first + row, PRESSURE] > 0.0
+            s[Y, g, lane] = strips[first + row, Y] if exists else 0.0
+            s[WIDTH, g, lane] = strips[first + row, WIDTH] if exists else 0.0
+            s[HALF_LENGTH, g, lane] = strips[first + row, HALF_LENGTH] if exists else 0.0
+            s[PRESSURE, g, lane] = strips[first + row, PRESSURE] if exists else 1.0
+    return groups
+
+
+@kernel
+def scale_slip(factor: float, slip_x: FloatArray, slip_y: FloatArray) -> None:
+    """Multiply the slip of a field."""
+    for j in range(slip_x.shape[0]):
+        for i in range(slip_x.shape[1]):
+            slip_x[j, i] *= factor
+            slip_y[j, i] *= factor

@@ -8,6 +8,8 @@ cells of equal length from its own trailing to its own leading edge, so that the
 (j, i) has its centre at y_j = b (-1 + (2 j + 1)/ny), x_ji = a(y_j) (-1 + (2 i + 1)/nx), with a(y) =
 a sqrt(1 - (y/b)^2), and the area of `cell_areas`. Forces use the same cells, but the pressure's integral
 is exact in them; the sum of q times area meets the force within about 1 % at 20 x 20 cells.
+
+Which theories there are: `theories`. How far each is from the exact solution: `validation`.
 """
 
 import math
@@ -15,15 +17,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from hh_exudyn.contact import fastrip, fastsim
 from hh_exudyn.contact.material import STEEL, Material
+from hh_exudyn.contact.theories import FIELD_THEORIES, THEORIES, field_kernel, force_kernel
 from hh_exudyn.contact.types import FloatArray
-from hh_exudyn.kernel import kernel
-
-FASTSIM = 1
-FASTRIP = 2
-THEORIES: dict[str, int] = {"fastsim": FASTSIM, "fastrip": FASTRIP}
-_NO_CREEPAGE = 1e-60  # creepages below it would underflow when squared; they count as none [-]
 
 
 @dataclass(frozen=True)
@@ -52,8 +48,8 @@ class TractionField:
     x, y : ndarray
         Cell centres [m].
     pressure : ndarray
-        The theory's own pressure [Pa]: elliptic (Hertz) for FaStrip, parabolic with 4/3 of Hertz's peak for
-        FASTSIM.
+        The theory's own pressure [Pa]: elliptic (Hertz), but parabolic with 4/3 of Hertz's peak for "fastsim"
+        and "fastsim_single".
     q_x, q_y : ndarray
         Traction on the wheel [Pa].
     slip_x, slip_y : ndarray
@@ -67,129 +63,6 @@ class TractionField:
     q_y: FloatArray
     slip_x: FloatArray
     slip_y: FloatArray
-
-
-@kernel
-def force_kernel(
-    theory: int,
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    friction: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-    cells_x: int,
-    cells_y: int,
-) -> tuple[float, float, float]:
-    """Creep force and moment on the wheel (kernel: trusts its input, allocates nothing).
-
-    Parameters
-    ----------
-    theory : int
-        A value of `THEORIES`; anything else gives NaN.
-    a, b : float
-        Semi-axes in rolling direction and lateral [m].
-    normal_force : float
-        [N].
-    nu_x, nu_y : float
-        Longitudinal and lateral creepage [-].
-    phi : float
-        Spin creepage [1/m].
-    friction : float
-        Friction coefficient [-].
-    shear_modulus : float
-        [Pa].
-    poisson_ratio : float
-        [-].
-    cells_x, cells_y : int
-        Cells along each strip, and strips.
-
-    Returns
-    -------
-    tuple of float
-        F_x [N], F_y [N], M_z [N m]; zero without normal force, creepage, friction or area.
-    """
-    if not (normal_force > 0.0 and friction > 0.0 and a > 0.0 and b > 0.0):
-        return 0.0, 0.0, 0.0
-    if abs(nu_x) + abs(nu_y) + (a + b) * abs(phi) < _NO_CREEPAGE:
-        return 0.0, 0.0, 0.0
-    if theory == FASTRIP:
-        return fastrip.force(
-            a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio, cells_x, cells_y
-        )
-    if theory == FASTSIM:
-        return fastsim.force(
-            a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio, cells_x, cells_y
-        )
-    return math.nan, math.nan, math.nan
-
-
-@kernel
-def _rigid_slip(
-    a: float, b: float, nu_x: float, nu_y: float, phi: float, slip_x: FloatArray, slip_y: FloatArray
-) -> None:
-    """Fill the rigid slip nu_x - phi y, nu_y + phi x of a field's grid [-]."""
-    cells_y, cells_x = slip_x.shape
-    for j in range(cells_y):
-        lateral = -1.0 + (2 * j + 1) / cells_y
-        half_length = a * math.sqrt(1.0 - lateral * lateral)
-        for i in range(cells_x):
-            slip_x[j, i] = nu_x - phi * b * lateral
-            slip_y[j, i] = nu_y + phi * half_length * (-1.0 + (2 * i + 1) / cells_x)
-
-
-@kernel
-def field_kernel(
-    theory: int,
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    friction: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-    pressure: FloatArray,
-    q_x: FloatArray,
-    q_y: FloatArray,
-    slip_x: FloatArray,
-    slip_y: FloatArray,
-) -> None:
-    """Fill pressure, traction on the wheel and slip over V on the module's grid (kernel, allocates nothing).
-
-    The arguments up to `poisson_ratio` are those of `force_kernel`; the arrays are (ny, nx) and are
-    overwritten. Zero everywhere without normal force or area, NaN for an unknown theory.
-    """
-    if not (normal_force > 0.0 and a > 0.0 and b > 0.0):
-        pressure[:], q_x[:], q_y[:], slip_x[:], slip_y[:] = 0.0, 0.0, 0.0, 0.0, 0.0
-        return
-    if not friction > 0.0:
-        # without friction: the pressure of the patch that does not creep, and the rigid slip
-        field_kernel(
-            theory, a, b, normal_force, 0.0, 0.0, 0.0, 1.0, shear_modulus, poisson_ratio,
-            pressure, q_x, q_y, slip_x, slip_y,
-        )  # fmt: skip
-        _rigid_slip(a, b, nu_x, nu_y, phi, slip_x, slip_y)
-        return
-    if abs(nu_x) + abs(nu_y) + (a + b) * abs(phi) < _NO_CREEPAGE:
-        nu_x, nu_y, phi = 0.0, 0.0, 0.0
-    if theory == FASTRIP:
-        fastrip.field(
-            a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio,
-            pressure, q_x, q_y, slip_x, slip_y,
-        )  # fmt: skip
-    elif theory == FASTSIM:
-        fastsim.field(
-            a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio,
-            pressure, q_x, q_y, slip_x, slip_y,
-        )  # fmt: skip
-    else:
-        pressure[:], q_x[:], q_y[:] = math.nan, math.nan, math.nan
-        slip_x[:], slip_y[:] = math.nan, math.nan
 
 
 def cell_areas(a: float, b: float, ny: int, nx: int) -> FloatArray:
@@ -242,7 +115,7 @@ def creep_force(
     Parameters
     ----------
     theory : str
-        One of `THEORIES`.
+        One of `THEORIES`. "carter" ignores `nu_y` and `phi`, "linear" the friction limit.
     a, b : float
         Semi-axes in rolling direction and lateral [m], > 0 (0 only without normal force).
     normal_force : float
@@ -256,11 +129,12 @@ def creep_force(
     material : Material
         Of wheel and rail.
     cells : tuple of int
-        Cells along x and strips across y.
+        Cells along x and strips across y; "strip" needs the strips only, closed formulas neither.
 
     Returns
     -------
     CreepForce
+        All zero without normal force, creepage or friction.
 
     Raises
     ------
@@ -301,7 +175,17 @@ def traction_field(
     Returns
     -------
     TractionField
+
+    Raises
+    ------
+    ValueError
+        For a theory without a stress field (not one of `FIELD_THEORIES`), or an argument out of range.
     """
+    if theory in THEORIES and theory not in FIELD_THEORIES:
+        raise ValueError(
+            f"theory = {theory!r} gives forces only, no stress field; theories with one: "
+            f"{', '.join(FIELD_THEORIES)}"
+        )
     a, b, normal_force, friction = float(a), float(b), float(normal_force), float(friction)
     nu_x, nu_y, phi = float(nu_x), float(nu_y), float(phi)
     number = _checked(

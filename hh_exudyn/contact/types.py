@@ -5,12 +5,13 @@ so the types live here.
 """
 
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
+Memory = Any  # what `kernel.memory` gives
 
 
 class SplineTable(NamedTuple):

@@ -11,7 +11,7 @@ import pytest
 
 from hh_exudyn.contact.hertz import normal_contact
 from hh_exudyn.contact.kalker import coefficients
-from hh_exudyn.contact.tangential import FASTRIP, FASTSIM, field_kernel, force_kernel
+from hh_exudyn.contact.theories import FASTRIP, FASTSIM, field_kernel, force_kernel
 from hh_exudyn.kernel import kernel
 
 CALLS = 1000

@@ -16,7 +16,7 @@ from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.tangential import TractionField, cell_areas, creep_force, traction_field
 
 ROOT = Path(__file__).parents[2]
-REFERENCE = ROOT / "tests" / "reference" / "creep_forces.csv"
+REFERENCE = ROOT / "hh_exudyn" / "data" / "validation" / "creep_forces.csv"
 TRACTIONS = ROOT.parent / "shared" / "reference" / "tractions"
 
 

@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hh_exudyn.contact import fastsim
+from hh_exudyn.contact.fastsim_march import stiffnesses
 from hh_exudyn.contact.kalker import kalker_coefficients
 from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.tangential import cell_areas, creep_force, traction_field
 
-REFERENCE = Path(__file__).parents[1] / "reference" / "creep_forces.csv"
+REFERENCE = Path(__file__).parents[2] / "hh_exudyn" / "data" / "validation" / "creep_forces.csv"
 
 
 def cases() -> list[dict[str, str]]:
@@ -75,7 +75,7 @@ def scaled(u_x: float, u_y: float, f_x: float, f_y: float, cells: int) -> tuple[
     a, force, friction = 5e-3, 1e5, 0.3
     b = a * f_x / f_y
     c11, c22, c23, _ = kalker_coefficients(a / b, STEEL.poisson_ratio)
-    stiff_x, stiff_y, stiff_phi = fastsim.stiffnesses(a, b, STEEL.shear_modulus, c11, c22, c23)
+    stiff_x, stiff_y, stiff_phi = stiffnesses(a, b, STEEL.shear_modulus, c11, c22, c23)
     unit = friction * 2.0 * force / (math.pi * a * b) / a
     found = creep_force(
         "fastsim",

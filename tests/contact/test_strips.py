@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from hh_exudyn.contact import fastrip
 from hh_exudyn.contact.material import STEEL
-from hh_exudyn.contact.strips import HALF_LENGTH, PRESSURE, STRIP_COLUMNS, WIDTH, Y, fill_ellipse
+from hh_exudyn.contact.strips import HALF_LENGTH, PRESSURE, STRIP_COLUMNS, WIDTH, Y
 from hh_exudyn.contact.tangential import creep_force, traction_field
 
 A, B, N, MU = 4e-3, 7e-3, 1e5, 0.3
@@ -25,8 +25,11 @@ STEEL_VALUES = (STEEL.shear_modulus, STEEL.poisson_ratio)
 
 def ellipse(count: int) -> NDArray[np.float64]:
     """An ellipse as strips."""
+    lateral = -1.0 + (2.0 * np.arange(count) + 1.0) / count
+    cosine = np.sqrt(1.0 - lateral**2)
     strips = np.zeros((count, STRIP_COLUMNS))
-    fill_ellipse(A, B, P_MAX, 0, count, count, strips)
+    strips[:, Y], strips[:, WIDTH] = B * lateral, 2.0 * B / count
+    strips[:, HALF_LENGTH], strips[:, PRESSURE] = A * cosine, P_MAX * cosine
     return strips
 
 

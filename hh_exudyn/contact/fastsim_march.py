@@ -1,0 +1,161 @@
+"""The march of FASTSIM along the strips of a patch, all strips of a block in lock step.
+
+J.J. Kalker, A fast algorithm for the simplified theory of rolling contact, Vehicle System Dynamics 11 (1982)
+1-13; equations 2.37-2.42 of Hossein-Nia (KTH, 2018). Along a strip everything is scaled: xi = x/a(y) and
+tractions by the bound in the strip's middle, so that the bound is the same in every strip, 1 - xi^2 for the
+parabola. The nodes are the edges of the cells, the rigid slip is taken in their middle. Kalker's step is of
+first order in the slip zone; `advance` is of second order.
+"""
+
+import math
+
+from hh_exudyn.contact.strips import (
+    BOTH_X,
+    BOTH_Y,
+    FIRST,
+    LANES,
+    Q_X,
+    Q_Y,
+    SHAPE,
+    SLIPS,
+    SPIN,
+    SUM_M,
+    SUM_X,
+    SUM_Y,
+    T_X,
+    T_Y,
+    W_X,
+    W_Y,
+)
+from hh_exudyn.contact.types import Memory
+from hh_exudyn.kernel import kernel, shaped
+
+_TINY = 1e-300  # keeps 0/0 from happening
+_MORE_THAN_ONE = 1.0 + 1e-12
+
+
+@kernel
+def stiffnesses(
+    a: float, b: float, shear_modulus: float, c11: float, c22: float, c23: float
+) -> tuple[float, float, float]:
+    """1/L_x, 1/L_y, 1/L_phi of Kalker's three flexibilities [Pa/m], equation 2.40."""
+    return (
+        3.0 * shear_modulus * c11 / (8.0 * a),
+        3.0 * shear_modulus * c22 / (8.0 * a),
+        4.0 * shear_modulus * c23 / (math.pi * a) * math.sqrt(b / a),
+    )
+
+
+@kernel
+def single_stiffness(
+    stiff_x: float, stiff_y: float, stiff_phi: float, nu_x: float, nu_y: float, phi: float, size: float
+) -> float:
+    """1/L of the three flexibilities weighted by the creepages, size = sqrt(a b) [Pa/m]."""
+    spin = size * phi
+    weighted = abs(nu_x) / stiff_x + abs(nu_y) / stiff_y + abs(spin) / stiff_phi
+    if weighted == 0.0:
+        return stiff_x
+    return math.sqrt(nu_x * nu_x + nu_y * nu_y + spin * spin) / weighted
+
+
+@kernel
+def advance(
+    q_x: float,
+    q_y: float,
+    t_x: float,
+    t_y: float,
+    slips: float,
+    step_x: float,
+    step_y: float,
+    bound: float,
+) -> tuple[float, float, float, float, float]:
+    """Carry the traction from one node to the next (equations 2.41, 2.42).
+
+    Parameters
+    ----------
+    q_x, q_y : float
+        Traction at the old node.
+    t_x, t_y : float
+        Its direction, a unit vector.
+    slips : float
+        1 where the old node slips, else 0.
+    step_x, step_y : float
+        Rigid slip over flexibility in the middle of the cell, times the cell's length.
+    bound : float
+        Traction bound at the new node.
+
+    Returns
+    -------
+    tuple
+        Traction, its direction, and whether the new node slips (1 or 0).
+
+    Notes
+    -----
+    q_new = q_trial - s (t_old + t_new)/2 with |q_new| = bound: slip along the mean direction. The length
+    follows without a root, s = (|q_trial|^2 - bound^2)/(bound + q_trial . t_old). Where the trial traction
+    turns right round, or slip begins, the slip is along the new direction (Kalker's own step). No branches:
+    the compiler takes this step in several strips at once.
+    """
+    q_x -= step_x
+    q_y -= step_y
+    square = q_x * q_x + q_y * q_y
+    excess = 0.5 * (square - bound * bound)
+    along = bound + q_x * t_x + q_y * t_y
+    sticks = excess <= 0.0
+    turns = (slips > 0.5) & (along > 0.0) & (not sticks)
+    inverse = 1.0 / (along * bound + excess if turns else math.sqrt(square + _TINY))
+    ahead = along if turns else 1.0
+    back = excess if turns else 0.0
+    t_x = (ahead * q_x - back * t_x) * inverse
+    t_y = (ahead * q_y - back * t_y) * inverse
+    q_x = q_x if sticks else bound * t_x
+    q_y = q_y if sticks else bound * t_y
+    return q_x, q_y, t_x, t_y, 0.0 if sticks else 1.0
+
+
+@kernel
+def begin(g: int, cells_x: int, slope: float, state: Memory) -> None:
+    """Set a group of strips at the node where its march begins (row `FIRST`); all of it sticks until there.
+
+    Until then the traction is (xi - 1) times v = (w_x, w_y + spin (1 + xi)/2). The rows of w hold the scaled
+    rigid slip, and afterwards that of one cell. `slope` is the bound's at the leading edge, where slip begins
+    at once if the rigid slip is steeper.
+    """
+    s = shaped(state, SHAPE)
+    step = 2.0 / cells_x
+    first = s[FIRST, g, 0]
+    for lane in range(LANES):
+        first = min(first, s[FIRST, g, lane])
+    xi = 1.0 - first * step
+    for lane in range(LANES):
+        v_x, v_y = s[W_X, g, lane], s[W_Y, g, lane] + 0.5 * s[SPIN, g, lane] * (1.0 + xi)
+        square = v_x * v_x + v_y * v_y
+        inverse = -1.0 / math.sqrt(square + _TINY)
+        s[T_X, g, lane], s[T_Y, g, lane] = v_x * inverse, v_y * inverse
+        s[Q_X, g, lane], s[Q_Y, g, lane] = (xi - 1.0) * v_x, (xi - 1.0) * v_y
+        s[SLIPS, g, lane] = 1.0 if (first == 0.0) & (square > slope * slope) else 0.0
+        s[W_X, g, lane] *= step
+        s[W_Y, g, lane] *= step
+        s[SPIN, g, lane] *= step
+        s[SUM_X, g, lane], s[SUM_Y, g, lane], s[SUM_M, g, lane] = 0.0, 0.0, 0.0
+        s[FIRST, g, lane] = first
+
+
+@kernel
+def march_cell(cell: int, groups: int, xi: float, bound: float, state: Memory) -> None:
+    """Carry all strips of a block through one cell; xi in its middle, bound at its trailing node."""
+    s = shaped(state, SHAPE)
+    for g in range(groups):
+        if cell >= s[FIRST, g, 0]:
+            for lane in range(LANES):
+                old_x, old_y = s[T_X, g, lane], s[T_Y, g, lane]
+                q_x, q_y, t_x, t_y, slips = advance(
+                    s[Q_X, g, lane], s[Q_Y, g, lane], old_x, old_y, s[SLIPS, g, lane],
+                    s[W_X, g, lane], s[W_Y, g, lane] + s[SPIN, g, lane] * xi, bound,
+                )  # fmt: skip
+                s[Q_X, g, lane], s[Q_Y, g, lane] = q_x, q_y
+                s[T_X, g, lane], s[T_Y, g, lane] = t_x, t_y
+                s[SLIPS, g, lane] = slips
+                # where the direction turns right round, the new one counts
+                s[BOTH_X, g, lane] = old_x + _MORE_THAN_ONE * t_x
+                s[BOTH_Y, g, lane] = old_y + _MORE_THAN_ONE * t_y
