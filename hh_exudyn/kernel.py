@@ -1,4 +1,4 @@
-"""The one door to numba: the decorator `kernel`, and `Bundle` for arguments of many arrays.
+"""The one door to numba: the decorators `kernel` and `inlined_kernel`, and `Bundle` for many arrays.
 
 Numba's file cache does not notice when a kernel in ANOTHER file changes, and then runs old code without
 a word. Here the cache folder is named by the hash of every source that kernels are made of, so that any
@@ -75,6 +75,18 @@ def kernel(function: F) -> F:
     run kernels as plain Python.
     """
     compiled: F = numba.njit(cache=_FOLDER is not None, error_model="numpy", nogil=True)(function)
+    return compiled
+
+
+def inlined_kernel(function: F) -> F:
+    """`kernel` for a function that is always written out where a kernel calls it.
+
+    For what is small, called often and takes a NamedTuple of tables: every call would copy some fifty numbers
+    to the stack and back, which costs more than what the function does.
+    """
+    compiled: F = numba.njit(
+        cache=_FOLDER is not None, error_model="numpy", nogil=True, forceinline=True
+    )(function)
     return compiled
 
 
