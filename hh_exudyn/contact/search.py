@@ -47,7 +47,7 @@ _WAITING = 5  # numbers of one
 _RANGE_START, _RANGE_END = -0.035, 0.055  # m, the part of a wheel that can meet the rail head
 _DEEPEST = 0.05  # m, radius of a flange tip less that of the running circle, at most
 _WIDEST = 64  # nodes, of an interval to begin with
-_NARROW = 1  # nodes, of an interval in which a zero is looked for
+_NARROW = 4  # nodes, of an interval in which a zero is looked for
 # Where nothing is certain between two nodes, the interval is looked at in parts
 _PARTS = 2
 _JOINED = -1.0  # in place of a saddle that has been dealt with
