@@ -108,8 +108,14 @@ class Bundle(structref.StructRefProxy):
     """
 
     def __new__(cls, model: Any, work: Any) -> "Bundle":
-        bundle: Bundle = structref.StructRefProxy.__new__(cls, model, work)
+        bundle: Bundle = _new_bundle(model, work)
         return bundle
 
 
 structref.define_proxy(Bundle, _BundleType, ["model", "work"])
+
+
+@kernel
+def _new_bundle(model: Any, work: Any) -> Any:
+    """In the kernel cache, unlike what the proxy would compile by itself: that takes seconds a process."""
+    return Bundle(model, work)
