@@ -13,7 +13,7 @@ last bit however many threads there are.
 import math
 import os
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -28,7 +28,6 @@ from damage.wheel_surface import FLANGE, TREAD, LateralGrid, Wheel, WheelSurface
 from hh_exudyn.contact.tangential import THEORIES, field_kernel
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import kernel
-
 
 BLOCK_ROWS = 500  # rows of a block: some milliseconds of work; the sums depend on it in the last digits
 
@@ -194,16 +193,21 @@ def accumulate(
         clock = output_clock(source)
     total = WheelSurface.zero((), grid)
     with ThreadPoolExecutor(threads) as pool:
+        before: tuple[WheelSurface, list[Future[Sums]]] | None = None
         for chunk in contact_chunks(source, rows=chunk_rows):
             _check_on_grid(chunk, grid)
             part, states = _chunk_sums(chunk, clock, material, flange_angle, grid)
             blocks = [
-                pool.submit(_block_sums, block, part.wheels, THEORIES[theory], cells, material, wear_map, grid)
+                pool.submit(
+                    _block_sums, block, part.wheels, THEORIES[theory], cells, material, wear_map, grid
+                )
                 for block in _blocks(states)
             ]
-            for block in blocks:
-                _add_sums(_sums(part), block.result())
-            total = total + part
+            if before is not None:  # while its successor is read, a chunk is solved
+                total = total + _collected(*before)
+            before = part, blocks
+        if before is not None:
+            total = total + _collected(*before)
     return total
 
 
@@ -217,7 +221,7 @@ def usable_processors() -> int:
 def _blocks(states: States) -> Iterator[States]:
     """The states in blocks of `BLOCK_ROWS`."""
     for first in range(0, states.wheel.size, BLOCK_ROWS):
-        yield States(*(column[first : first + BLOCK_ROWS] for column in states))
+        yield States._make(column[first : first + BLOCK_ROWS] for column in states)
 
 
 def _block_sums(
@@ -251,9 +255,12 @@ def _sums(surface: WheelSurface) -> Sums:
     return Sums(*(getattr(surface, name) for name in Sums._fields))
 
 
-def _add_sums(total: Sums, part: Sums) -> None:
-    for whole, share in zip(total, part, strict=True):
-        whole += share
+def _collected(part: WheelSurface, blocks: list[Future[Sums]]) -> WheelSurface:
+    """The sums of a chunk with those of its blocks, in order."""
+    for block in blocks:
+        for whole, share in zip(_sums(part), block.result(), strict=True):
+            whole += share
+    return part
 
 
 def _chunk_sums(

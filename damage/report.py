@@ -123,9 +123,7 @@ def assess(
     if not 0.0 < flange_angle < 0.5 * math.pi:
         raise ValueError(f"flange_angle = {flange_angle} rad must lie within 0..pi/2 rad")
     start = time.perf_counter()
-    surface = accumulate(
-        run_or_table, material, theory, cells, wear_map, flange_angle, grid, threads=threads
-    )
+    surface = accumulate(run_or_table, material, theory, cells, wear_map, flange_angle, grid, threads=threads)
     wall = time.perf_counter() - start
     if surface.distance <= 0.0:
         raise ValueError("the run does not move: wear per distance has no meaning")

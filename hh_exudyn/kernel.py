@@ -84,9 +84,9 @@ def inlined_kernel(function: F) -> F:
     For what is small, called often and takes a NamedTuple of tables: every call would copy some fifty numbers
     to the stack and back, which costs more than what the function does.
     """
-    compiled: F = numba.njit(
-        cache=_FOLDER is not None, error_model="numpy", nogil=True, forceinline=True
-    )(function)
+    compiled: F = numba.njit(cache=_FOLDER is not None, error_model="numpy", nogil=True, forceinline=True)(
+        function
+    )
     return compiled
 
 

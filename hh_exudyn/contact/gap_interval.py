@@ -1,18 +1,22 @@
 """What is certain about the gap between two nodes of the wheel profile (kernels).
 
-The gap's slope is S(y) - r'(u(y)): the silhouette's slope less the rail's, where the silhouette's point y lies
-above the rail's point u. Its derivative is f w'' - u' r'', with the second derivatives w'' and r'' of wheel and
-rail. With the axle's direction (lx, ly, lz), ratio = lx^2 / (1 - lx^2) and roll angle rho, tan(rho) = lz/ly,
+The gap's slope is S(y) - r'(u(y)): the slope of the silhouette less that of the rail, where the silhouette's
+point y lies above the rail's point u. Its derivative is f w'' - u' r'', with the second derivatives w'' and
+r'' of wheel and rail. With the axle's direction (lx, ly, lz), ratio = lx^2 / (1 - lx^2) and the roll angle
+rho, tan(rho) = lz/ly, equation 1 of `silhouette` gives
 
     S = tan(theta - rho),   tan(theta) = w' sqrt(1 + ratio) / sqrt(1 - w'^2 ratio)                   (1)
 
-so that f and u' are 1 for a wheelset that neither yaws nor rolls, and for slopes up to 5 differ from it by
+so that f and u' are 1 for a wheelset that neither yaws nor rolls. For slopes up to 5 and angles up to 0.03
+rad they differ from that by
 
-    |f - 1| < 40 ratio + 11 |rho|,   |u' - 1| < 25 ratio + 5 |rho| + R ratio |w''|                   (2)
+    |f - 1| < 40 ratio + 11 |rho|,   |u' - 1| < 30 ratio + 6 |rho| + R ratio |w''|                   (2)
 
-at angles up to 0.03 rad (the next terms are a tenth). The tables know between which bounds w'' and r'' lie, so
-there are bounds of the derivative; where they have one sign, the gap's slope is zero once or never.
+The tables know between which bounds w'' and r'' lie, hence there are bounds of the derivative. Where they
+have one sign, the gap's slope is zero once or never.
 """
+
+import math
 
 import numpy as np
 
@@ -69,9 +73,7 @@ def slope_rate_bounds(
     rail_least, rail_most = _bounds(rail.bounds, min(int(low), rail_last - 1), rail_last)
     wheel_size = max(abs(wheel_least), abs(wheel_most))
     share = (  # equation 2, of f and u' together
-        _PER_RATIO * pair.ratio
-        + _PER_ROLL * abs(pair.axle_z)
-        + pair.nominal_radius * pair.ratio * wheel_size
+        _PER_RATIO * pair.ratio + _PER_ROLL * abs(pair.axle_z) + pair.nominal_radius * pair.ratio * wheel_size
     )
     if last - first > 1 or y_rail_first >= y_rail_last:
         least = wheel_least - rail_most - share * (abs(wheel_least) + abs(rail_most))
@@ -144,8 +146,9 @@ def gap_slope_zero(
     y = low + p * (p * (3.0 - 2.0 * p) * (high - low) + q * change * (q / rate_low - p / rate_high))
     if not (y > low and y < high):
         y = low + p * (high - low)
-    gap, difference, rate, y_rail, rail_slope, rail_second = gap_at(pair, y)
+    gap = y_rail = rail_slope = rail_second = math.nan
     for _ in range(_MAX_ITERATIONS):
+        gap, difference, rate, y_rail, rail_slope, rail_second = gap_at(pair, y)
         if (difference >= 0.0) == rising:
             high = y
         else:
@@ -156,5 +159,4 @@ def gap_slope_zero(
         if abs(new - y) < _TOLERANCE:
             break
         y = new
-        gap, difference, rate, y_rail, rail_slope, rail_second = gap_at(pair, y)
     return y, gap, y_rail, rail_slope, rail_second

@@ -35,19 +35,18 @@ POINT = 4  # three columns: the contact point from the wheelset's centre, axes o
 RADIUS = 7  # rolling radius [m]
 WHEEL_CURVATURE = 8  # lateral, convex positive [1/m]
 RAIL_CURVATURE = 9
-_DEPTH = 10  # vertical interpenetration [m]; the rest is working memory of the search
+DEPTH = 10  # vertical interpenetration [m]
 SADDLE = 11  # depth of the saddle towards the previous minimum, 0 where the regions are separate [m]
 SADDLE_Y = 12  # where that saddle lies on the wheel profile [m]; no meaning where its depth is 0
-_WEIGHT = 13  # of equation 1
+_WEIGHT = 13  # of equation 1: working memory of the search
 CONTACT_COLUMNS = 14
 
-MAX_MINIMA = 12  # rows of the working memory; standard profiles have up to 4 minima
-_STACK_ROWS = 3  # of them, at the end, hold the right ends of the intervals that wait, at most six
-_WAITING = 5  # numbers of one
+_MOST_MINIMA = 12  # of one wheel that are kept; standard profiles have up to 4
+MAX_MINIMA = _MOST_MINIMA + 6  # rows of the working memory: in the last six, intervals wait for their turn
 _RANGE_START, _RANGE_END = -0.035, 0.055  # m, the part of a wheel that can meet the rail head
 _DEEPEST = 0.05  # m, radius of a flange tip less that of the running circle, at most
-_WIDEST = 64  # nodes, of an interval to begin with
-_NARROW = 4  # nodes, of an interval in which a zero is looked for
+_WIDEST = 64  # node spacings, of an interval to begin with: halved six times it is one
+_NARROW = 4  # node spacings, at most, of an interval in which a single zero is looked for
 # Where nothing is certain between two nodes, the interval is looked at in parts
 _PARTS = 2
 _JOINED = -1.0  # in place of a saddle that has been dealt with
@@ -74,6 +73,28 @@ def find_contacts(pair: WheelRailPair, contacts: FloatArray) -> int:
     count = _find_minima(pair, contacts)
     if count > 1:
         _share(contacts, count)
+    _complete(pair, contacts, count)
+    sort_by_approach(contacts, count)
+    return min(count, MAX_PATCHES)
+
+
+@kernel
+def find_minima(pair: WheelRailPair, contacts: FloatArray) -> int:
+    """All minima with interpenetration, as `find_contacts` but in the order of y, unshared and not limited.
+
+    Returns
+    -------
+    int
+        Their number. The saddles stay in the rows.
+    """
+    count = _find_minima(pair, contacts)
+    _complete(pair, contacts, count)
+    return count
+
+
+@inlined_kernel
+def _complete(pair: WheelRailPair, contacts: FloatArray, count: int) -> None:
+    """Fill the columns of a contact that follow from its place, depth and weight."""
     for k in range(count):
         row = contacts[k]
         z, slope, second = spline_evaluate(pair.wheel, row[Y_WHEEL])
@@ -81,21 +102,19 @@ def find_contacts(pair: WheelRailPair, contacts: FloatArray) -> int:
         row[RADIUS] = pair.nominal_radius - z
         square = 1.0 + slope * slope
         row[WHEEL_CURVATURE] = second / (square * math.sqrt(square))
-        row[APPROACH] = row[_DEPTH] * math.cos(row[CONTACT_ANGLE])
+        row[APPROACH] = row[DEPTH] * math.cos(row[CONTACT_ANGLE])
         if row[_WEIGHT] < 1.0:
             row[APPROACH] *= row[_WEIGHT] ** (2.0 / 3.0)
-    _sort(contacts, count)
-    return min(count, MAX_PATCHES)
 
 
-@inlined_kernel
+@kernel
 def _find_minima(pair: WheelRailPair, contacts: FloatArray) -> int:
     """Halve intervals of nodes until what they hold is certain, find the zeros: rows of `contacts`.
 
-    In the order of y: Y_WHEEL, Y_RAIL, CONTACT_ANGLE, RAIL_CURVATURE, _DEPTH, SADDLE, SADDLE_Y, _WEIGHT (1).
+    In the order of y: Y_WHEEL, Y_RAIL, CONTACT_ANGLE, RAIL_CURVATURE, DEPTH, SADDLE, SADDLE_Y, _WEIGHT (1).
     """
     wheel = pair.wheel
-    waiting = contacts[MAX_MINIMA - _STACK_ROWS :].ravel()  # right ends of the intervals that wait
+    waiting = contacts[_MOST_MINIMA:]  # right ends of the intervals that wait, one a row
     stop = min(wheel.z.size - 1, math.floor((_RANGE_END - wheel.start) * wheel.per_step))
     first, last = _nodes_on_rail(pair, max(0, math.ceil((_RANGE_START - wheel.start) * wheel.per_step)), stop)
     count = 0
@@ -113,19 +132,13 @@ def _find_minima(pair: WheelRailPair, contacts: FloatArray) -> int:
             least, most = slope_rate_bounds(pair, i, j, rate, next_rate, y_rail, next_y_rail)
             crosses = (slope < 0.0) != (next_slope < 0.0)
             certain = crosses and (least >= 0.0 or most <= 0.0)  # one zero
-            if (
-                min(gap, next_gap) > 0.0
-                and least_gap(gap, slope, next_gap, next_slope, width, least) > 0.0
-            ):
+            if min(gap, next_gap) > 0.0 and least_gap(gap, slope, next_gap, next_slope, width, least) > 0.0:
                 saddle = 0.0  # the gap is open all the way
             elif crosses or not never_zero(slope, next_slope, width, least, most):
                 if j - i > 1 and not (certain and j - i <= _NARROW):
-                    base = _WAITING * depth
-                    waiting[base] = j
-                    waiting[base + 1] = next_gap
-                    waiting[base + 2] = next_slope
-                    waiting[base + 3] = next_rate
-                    waiting[base + 4] = next_y_rail
+                    end = waiting[depth]
+                    end[0], end[1], end[2] = j, next_gap, next_slope
+                    end[3], end[4] = next_rate, next_y_rail
                     depth += 1
                     j = (i + j) // 2
                     next_gap, next_slope, next_rate, next_y_rail = _at_node(pair, j)
@@ -145,10 +158,9 @@ def _find_minima(pair: WheelRailPair, contacts: FloatArray) -> int:
             if depth == 0:
                 break
             depth -= 1
-            base = _WAITING * depth
-            j = int(waiting[base])
-            next_gap, next_slope = waiting[base + 1], waiting[base + 2]
-            next_rate, next_y_rail = waiting[base + 3], waiting[base + 4]
+            end = waiting[depth]
+            j = int(end[0])
+            next_gap, next_slope, next_rate, next_y_rail = end[1], end[2], end[3], end[4]
     return count
 
 
@@ -214,22 +226,17 @@ def _add_doubtful_roots(
         there, rate_there = now, rate
         if part < _PARTS - 1:
             _, there, rate_there, _, _, _ = gap_at(pair, high)
-        if (before < 0.0) != (there < 0.0):
-            count, saddle, saddle_y = _add_root(
-                pair, low, high, before, there, rate_before, rate_there, contacts, count, saddle, saddle_y
-            )
-        elif _turns(before, rate_before, there, rate_there, width):
-            turn, extreme, rate_turn = _turning_point(pair, low, high, before, rate_before)
-            if (extreme < 0.0) != (there < 0.0):
+        middle, between, rate_between = high, there, rate_there
+        if _turns(before, rate_before, there, rate_there, width):
+            middle, between, rate_between = _turning_point(pair, low, high, before, rate_before)
+        for _ in range(2):  # up to the middle, and from there
+            if (before < 0.0) != (between < 0.0):
                 count, saddle, saddle_y = _add_root(
-                    pair, low, turn, before, extreme, rate_before, rate_turn, contacts,
+                    pair, low, middle, before, between, rate_before, rate_between, contacts,
                     count, saddle, saddle_y,
                 )  # fmt: skip
-                count, saddle, saddle_y = _add_root(
-                    pair, turn, high, extreme, there, rate_turn, rate_there, contacts,
-                    count, saddle, saddle_y,
-                )  # fmt: skip
-        before, rate_before = there, rate_there
+            low, before, rate_before = middle, between, rate_between
+            middle, between, rate_between = high, there, rate_there
     return count, saddle, saddle_y
 
 
@@ -284,7 +291,7 @@ def _add_root(
     depth = max(0.0, -gap)
     if at_high < 0.0:
         return (count, depth, y) if depth < saddle else (count, saddle, saddle_y)
-    if depth == 0.0 or count == MAX_MINIMA - _STACK_ROWS:
+    if depth == 0.0 or count == _MOST_MINIMA:
         return count, 0.0, y
     row = contacts[count]
     row[Y_WHEEL] = y
@@ -292,7 +299,7 @@ def _add_root(
     row[CONTACT_ANGLE] = -math.atan(slope_rail)
     square = 1.0 + slope_rail * slope_rail
     row[RAIL_CURVATURE] = -second_rail / (square * math.sqrt(square))
-    row[_DEPTH] = depth
+    row[DEPTH] = depth
     row[SADDLE] = min(saddle, depth)
     row[SADDLE_Y] = saddle_y
     row[_WEIGHT] = 1.0
@@ -316,8 +323,8 @@ def _share(contacts: FloatArray, count: int) -> None:
             first -= 1
         while after < count and contacts[after, SADDLE] == _JOINED:
             after += 1
-        d1 = contacts[first:joint, _DEPTH].max()
-        d2 = contacts[joint:after, _DEPTH].max()
+        d1 = contacts[first:joint, DEPTH].max()
+        d2 = contacts[joint:after, DEPTH].max()
         p1, p2 = d1 - saddle, d2 - saddle
         if p1 + p2 > 0.0:
             contacts[first:joint, _WEIGHT] *= 1.0 - saddle / d1 * p2 / (p1 + p2)
@@ -325,7 +332,7 @@ def _share(contacts: FloatArray, count: int) -> None:
 
 
 @kernel
-def _sort(contacts: FloatArray, count: int) -> None:
+def sort_by_approach(contacts: FloatArray, count: int) -> None:
     """Order the rows by approach, deepest first (insertion; there are few)."""
     for i in range(1, count):
         j = i

@@ -47,8 +47,8 @@ def contact_log(states: int, seed: int = 1) -> pyarrow.Table:
 
 @pytest.mark.parametrize("threads", sorted({1, usable_processors()}))
 def test_states(benchmark: Any, threads: int) -> None:
-    """Twenty thousand states; their rate per core is in the extra information of the benchmark."""
-    states = 20_000
+    """A hundred thousand states; their rate per core is in the extra information of the benchmark."""
+    states = 100_000
     log = contact_log(states)
     options = (ER7, "fastrip", (50, 50), DRY, FLANGE_ANGLE, DEFAULT_GRID)
     accumulate(contact_log(100), *options)
