@@ -17,13 +17,17 @@ Memory = Any  # what `kernel.memory` gives
 class SplineTable(NamedTuple):
     """A profile z(y) as a cubic spline on a uniform grid, in side coordinates.
 
-    Value, slope and second derivative are continuous. Outside the grid there is no profile.
+    Value, slope and second derivative are continuous. Outside the grid there is no profile. The last three
+    fields follow from the others: they are what the contact search would otherwise compute again and again.
     """
 
     start: float  # y of the first node [m]
     step: float  # node spacing [m]
     z: FloatArray  # (n,) heights at the nodes [m]
     second: FloatArray  # (n,) second derivatives d2z/dy2 at the nodes [1/m]
+    per_step: float  # 1 / step [1/m]
+    slope: FloatArray  # (n,) slopes at the nodes [-]
+    bounds: FloatArray  # (levels, n, 2) least and largest second derivative from node i to node i + 2^level
 
 
 class WheelRailModel(NamedTuple):

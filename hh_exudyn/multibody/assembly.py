@@ -194,7 +194,7 @@ def exudyn_system(
     model: SystemModel,
     q: FloatArray,
     v: FloatArray,
-    forces: Callable[[Any, float, int, Any, Any], FloatArray],
+    forces: Callable[[Any, float, int, Any, Any], list[float]],
     after_step: Callable[[Any, float], bool],
 ) -> Any:
     """The assembled Exudyn system: rigid bodies, track masses, and one object that brings all forces.
