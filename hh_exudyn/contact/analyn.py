@@ -17,10 +17,10 @@ and pressure exactly.
 import math
 
 from hh_exudyn.contact.hertz import normal_contact
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel
 
 
-@kernel
+@inlined_kernel
 def strip(
     gap: float,
     approach: float,

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from hh_exudyn.contact.profile_spline import spline_evaluate
 from hh_exudyn.contact.silhouette import WheelRailPair, silhouette
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel
 
 _STEEPEST = 0.17  # cosine of 80 degrees to the contact plane: nothing further round is in the same patch
 
@@ -37,7 +37,7 @@ class Minimum(NamedTuple):
     poisson_ratio: float
 
 
-@kernel
+@inlined_kernel
 def gap_curve(pair: WheelRailPair, low: Minimum, y_wheel: float) -> tuple[float, float, float]:
     """Gap and curvature at one lateral position of a contact.
 

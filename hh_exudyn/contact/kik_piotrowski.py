@@ -23,7 +23,7 @@ shape, see the notes of `tests/contact/test_kik_piotrowski.py` for what that cos
 
 import math
 
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel, kernel
 
 # K(m) and E(m) by polynomials of m1 = 1 - m: Abramowitz and Stegun 1964, 17.3.34 and 17.3.36 (errors < 2e-8)
 _K0, _K1, _K2, _K3, _K4 = 1.38629436112, 0.09666344259, 0.03590092383, 0.03742563713, 0.01451196212
@@ -33,7 +33,7 @@ _F1, _F2, _F3, _F4 = 0.24998368310, 0.09200180037, 0.04069697526, 0.00526449639
 _NEAR = 1e-4  # of a strip's width: nearer than this to the deepest point, (5) is taken at this distance
 
 
-@kernel
+@inlined_kernel
 def strip(
     gap: float, lateral: float, curvature_x: float, curvature_y: float, a: float, b: float
 ) -> tuple[float, float]:

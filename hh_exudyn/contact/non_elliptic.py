@@ -27,7 +27,7 @@ from hh_exudyn.contact.search import (
 from hh_exudyn.contact.silhouette import WheelRailPair, silhouette
 from hh_exudyn.contact.strips import HALF_LENGTH, PRESSURE, WIDTH, Y
 from hh_exudyn.contact.types import FloatArray
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel, kernel
 
 HERTZ = 0
 ANALYN = 1
@@ -40,9 +40,8 @@ CURVATURE_FLOOR = 0.25  # 1/m
 
 _STEP_PER_WIDTH = 0.52  # of the search for the edges, over Hertz's lateral semi-axis
 _SMALLEST_STEP, _LARGEST_STEP = 0.02e-3, 1.5e-3  # m
-_MAX_STEPS = 60
+_MAX_STEPS = 100  # outwards and in the bracket together
 _TOLERANCE = 1e-9  # m, of an edge
-_MAX_ITERATIONS = 40
 _HALF_PI = 0.5 * math.pi
 _SQUARE_ROOT_EDGE = 0.086110  # -zeta(-1/2, 1/2) sqrt(2): what midpoints add to the area of sqrt(y) at y = 0
 
@@ -90,7 +89,7 @@ def minimum(
     )
 
 
-@kernel
+@inlined_kernel
 def strip_at(pair: WheelRailPair, low: Minimum, y_wheel: float) -> tuple[float, float, float, float]:
     """Lateral coordinate s [m], `inside` (positive in contact, NaN off the profiles), half length, pressure.
 
@@ -122,36 +121,33 @@ def edge(pair: WheelRailPair, low: Minimum, limit: float) -> float:
     step = min(max(_STEP_PER_WIDTH * low.b * low.cosine, _SMALLEST_STEP), _LARGEST_STEP)
     furthest = direction * (limit - low.y_wheel)
     inner, before = 0.0, 1.0
-    outer, beyond = 0.0, 1.0
-    for k in range(_MAX_STEPS):
-        outer = min(inner + step, furthest)
-        _, beyond, _, _ = strip_at(pair, low, low.y_wheel + direction * outer)
-        if not beyond > 0.0:
-            break
-        if outer == furthest or k == _MAX_STEPS - 1:
-            return low.y_wheel + direction * outer
-        inner, before = outer, beyond
-    middle = inner
-    moved = 0  # which end moved last: -1 the inner, 1 the outer
-    for _ in range(_MAX_ITERATIONS):
-        middle = 0.5 * (inner + outer)
-        if beyond < 0.0:  # else it is NaN, off the profile
-            part = before / (before - beyond)
-            middle = math.sqrt(inner * inner + (outer * outer - inner * inner) * part)
-        if min(middle - inner, outer - middle) < _TOLERANCE:
-            break
-        _, inside, _, _ = strip_at(pair, low, low.y_wheel + direction * middle)
+    outer, beyond = math.inf, -1.0
+    place = 0.0
+    moved = 0  # which end of the bracket moved last: -1 the inner, 1 the outer
+    for _ in range(_MAX_STEPS):
+        if outer == math.inf:
+            place = min(inner + step, furthest)
+        else:
+            place = 0.5 * (inner + outer)
+            if beyond < 0.0:  # else it is NaN, off the profile
+                part = before / (before - beyond)
+                place = math.sqrt(inner * inner + (outer * outer - inner * inner) * part)
+            if min(place - inner, outer - place) < _TOLERANCE:
+                break
+        _, inside, _, _ = strip_at(pair, low, low.y_wheel + direction * place)
         if inside > 0.0:
-            inner, before = middle, inside
+            if place == furthest:
+                break
+            inner, before = place, inside
             if moved == -1:
                 beyond *= 0.5
-            moved = -1
+            moved = -1 if outer < math.inf else 0
         else:
-            outer, beyond = middle, inside
+            outer, beyond = place, inside
             if moved == 1:
                 before *= 0.5
             moved = 1
-    return low.y_wheel + direction * middle
+    return low.y_wheel + direction * place
 
 
 @kernel
@@ -200,13 +196,17 @@ def patch_strips(
     if not start < end:
         return 0.0, 0.0, 0.0, 0.0, 0.0
     n = strips.shape[0]
-    s_start, _, half_start, pressure_start = strip_at(pair, low, start)
-    s_end, _, half_end, pressure_end = strip_at(pair, low, end)
     step = (end - start) / n
-    for i in range(n):
-        strips[i, Y], _, strips[i, HALF_LENGTH], strips[i, PRESSURE] = strip_at(
-            pair, low, start + (i + 0.5) * step
-        )
+    s_start = half_start = pressure_start = s_end = half_end = pressure_end = 0.0
+    for i in range(-1, n + 1):  # both edges too: a cut has a length there
+        y = min(max(start + (i + 0.5) * step, start), end)
+        s, _, half_length, pressure = strip_at(pair, low, y)
+        if i < 0:
+            s_start, half_start, pressure_start = s, half_length, pressure
+        elif i == n:
+            s_end, half_end, pressure_end = s, half_length, pressure
+        else:
+            strips[i, Y], strips[i, HALF_LENGTH], strips[i, PRESSURE] = s, half_length, pressure
     node = s_start
     for i in range(n):
         after = 0.5 * (strips[i, Y] + strips[i + 1, Y]) if i < n - 1 else s_end

@@ -18,7 +18,7 @@ from hh_exudyn.contact.non_elliptic import HERTZ, minimum, patch_strips
 from hh_exudyn.contact.profile_spline import spline_evaluate
 from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS, Y_WHEEL
 from hh_exudyn.contact.silhouette import WheelRailPair, silhouette, wheel_rail_pair
-from hh_exudyn.contact.strips import HALF_LENGTH, PRESSURE, STRIP_COLUMNS, WIDTH, Y, fill_ellipse
+from hh_exudyn.contact.strips import HALF_LENGTH, PRESSURE, STRIP_COLUMNS, WIDTH, Y
 from hh_exudyn.contact.tangential import TractionField
 from hh_exudyn.contact.types import FloatArray, WheelRailModel
 from hh_exudyn.conventions import LEFT
@@ -123,7 +123,10 @@ def patch_shape(model: WheelRailModel, state: State, strips: int = 50) -> PatchS
     rows = np.zeros((strips, STRIP_COLUMNS))
     if model.normal == HERTZ:
         a, b = state.a, state.b
-        fill_ellipse(a, b, state.p_max, 0, strips, strips, rows)
+        lateral = -1.0 + (2.0 * np.arange(strips) + 1.0) / strips
+        rows[:, Y], rows[:, WIDTH] = b * lateral, 2.0 * b / strips
+        rows[:, HALF_LENGTH] = a * np.sqrt(1.0 - lateral**2)
+        rows[:, PRESSURE] = state.p_max * np.sqrt(1.0 - lateral**2)
     else:
         a, b = _solve(model, state, rows)
     if rows[0, Y] > rows[-1, Y]:
