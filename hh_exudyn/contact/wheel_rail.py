@@ -1,8 +1,7 @@
 """From pose and velocity of wheelsets and rails to wrenches and contact states, in one kernel.
 
-For each wheel: `search` finds the patches, `hertz` gives normal force and ellipse from the approach, the
-creepages come from the rigid-body velocity of the wheel's material at the contact point relative to the
-rail, `tangential` gives the creep forces.
+For each wheel: `search` finds the patches (with `neighbours`, where they are not elliptic), `patch_forces`
+gives normal and creep forces of each.
 
 The forces of a patch act at the contact point on the undeformed wheel (half an approach, some 0.05 mm, from
 where the deformed surfaces meet: without influence on any moment).

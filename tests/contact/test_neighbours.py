@@ -103,7 +103,7 @@ def test_python_and_compiled_agree() -> None:
     low = minimum(1, pair, rows[0], G, NU)
     other = strips.copy()
     row = rows[0].copy()
-    plain = patch_strips.py_func(pair, row, low, 0.0, other)
+    plain = getattr(patch_strips, "py_func", patch_strips)(pair, row, low, 0.0, other)
     compiled = patch_strips(pair, rows[0], low, 0.0, strips)
     assert plain == pytest.approx(compiled, rel=1e-12)
     np.testing.assert_allclose(other, strips, rtol=1e-9)
