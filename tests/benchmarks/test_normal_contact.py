@@ -20,8 +20,8 @@ def test_four_wheelsets(benchmark: Any, normal: str, cells: int) -> None:
         wheel, wheel, rail, rail, nominal_radius=0.46, normal=normal, cells=(cells, cells)
     )
     n = 4
-    position = np.tile([0.0, 0.0, 0.46 - 180e-6], (n, 1))
-    position[:, 1] = [-0.0006, -0.0002, 0.0002, 0.0006]
+    position = np.tile([0.0, 0.0, 0.46 - 310e-6], (n, 1))
+    position[:, 1] = [-0.001, -0.0003, 0.0003, 0.001]
     axle = np.tile([0.0, 1.0, 0.0], (n, 1))
     velocity = np.tile([20.0, 0.01, 0.0], (n, 1))
     patches = np.zeros((n, 2, MAX_PATCHES, PATCH_COLUMNS))
