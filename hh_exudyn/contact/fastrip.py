@@ -21,8 +21,8 @@ on 50 x 50 cells in %, mean of the fields):
     d/a             its leading cell breaks Coulomb   2.73    6.8      9.5       8.8
     d/a             its stick zone breaks Coulomb     2.73    6.8      9.5       8.8
 
-Coulomb's law in the stick zone, tightest at the leading edge, can fail for |psi| > 1 only; its limit there needs
-no cell. Two choices of our own: D is written (xi^2 + eta^2)/(root - eta psi), the same as equation 2.44 and
+Coulomb's law in the stick zone, tightest at the leading edge, can fail for |psi| > 1 only; its limit there
+needs no cell. Two choices of our own: D is written (xi^2 + eta^2)/(root - eta psi), the same as equation 2.44 and
 finite at |psi| = 1; and FASTSIM's single flexibility, which strips in full slip use, comes in with the fourth
 power of the share of the strip that slips (1.00 against 1.06 % in the mean with a switch, and no jump of the
 force where a strip loses its stick zone).

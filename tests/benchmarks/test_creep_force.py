@@ -1,9 +1,9 @@
 """Time of the contact kernels, called from compiled code as the dynamics does.
 
-The compiled Fortran of shared/reference/timing.md takes 110 us for FaStrip's stress and slip fields at 50 x 50
-cells and 74 us for FASTSIM's; asked: forces in 11, fields in 27 us. Measured on one core of an AMD EPYC (AVX-512):
-FaStrip's force 0.63 us at 11 x 11, 1.2 at 20 x 20, 4.2 at 50 x 50 (8.3 where the whole patch slips), its field
-at 50 x 50 8.4 us (12.7); on 11 strips 0.65; FASTSIM 0.6, 1.3, 6.2 and 17.
+The compiled Fortran of shared/reference/timing.md takes 110 us for FaStrip's stress and slip fields at 50 x
+50 cells and 74 us for FASTSIM's; asked: forces in 11, fields in 27 us. Measured on one core of an AMD EPYC
+(AVX-512): FaStrip's force 0.63 us at 11 x 11, 1.2 at 20 x 20, 4.2 at 50 x 50 (8.3 where the whole patch
+slips), its field at 50 x 50 8.5 us (12.7); as strips the same; FASTSIM 0.6, 1.3, 6.2 and 17.
 
 Run: pytest tests/benchmarks -p benchmark --override-ini addopts="--import-mode=importlib"
 """

@@ -1,4 +1,4 @@
-"""FaStrip and FASTSIM under hypothesis: mirror and scaling of the fields, dissipation, continuity in creepage."""
+"""FaStrip and FASTSIM under hypothesis: mirror and scaling of the fields, dissipation, continuity."""
 
 import math
 
