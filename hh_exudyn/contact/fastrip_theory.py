@@ -177,4 +177,4 @@ def prepare(groups: int, rolling: Rolling, cells_x: int, state: Memory) -> None:
             s[KAPPA, g, lane] = kappa if exists else 0.0
             s[LAMBDA, g, lane] = lambda_ if exists else 0.0
             s[PRIME, g, lane] = lambda_prime if exists else 0.0
-        begin(g, cells_x, state)
+    begin(groups, cells_x, state)

@@ -93,7 +93,7 @@ def _prepare(
             s[W_Y, g, lane] = factor * w_y
             s[SPIN, g, lane] = factor * length * spin
             s[FIRST, g, lane] = 0.0
-        begin(g, cells_x, state)
+    begin(groups, cells_x, state)
 
 
 @kernel

@@ -10,12 +10,14 @@ first order in the slip zone; `advance` is of second order.
 import math
 
 from hh_exudyn.contact.strips import (
+    BLOCK,
     BOTH_X,
     BOTH_Y,
     FIRST,
     LANES,
     Q_X,
     Q_Y,
+    ROWS,
     SHAPE,
     SLIPS,
     SPIN,
@@ -112,29 +114,31 @@ def advance(
 
 
 @kernel
-def begin(g: int, cells_x: int, state: Memory) -> None:
-    """Set a group of strips at the node where its march begins (row `FIRST`); all of it sticks until there.
+def begin(groups: int, cells_x: int, state: Memory) -> None:
+    """Set each group of strips at the first node that one of them needs (row `FIRST`); all stick until there.
 
     Until then the traction is (xi - 1) times v = (w_x, w_y + spin (1 + xi)/2). The rows of w hold the scaled
     rigid slip, and afterwards that of one cell.
     """
     s = shaped(state, SHAPE)
+    for g in range(groups):
+        first = s[FIRST, g, 0]
+        for lane in range(LANES):
+            first = min(first, s[FIRST, g, lane])
+        for lane in range(LANES):
+            s[FIRST, g, lane] = first
+    flat = shaped(state, (ROWS, BLOCK))
     step = 2.0 / cells_x
-    first = s[FIRST, g, 0]
-    for lane in range(LANES):
-        first = min(first, s[FIRST, g, lane])
-    xi = 1.0 - first * step
-    for lane in range(LANES):
-        v_x, v_y = s[W_X, g, lane], s[W_Y, g, lane] + 0.5 * s[SPIN, g, lane] * (1.0 + xi)
-        square = v_x * v_x + v_y * v_y
-        inverse = -1.0 / math.sqrt(square + _TINY)
-        s[T_X, g, lane], s[T_Y, g, lane] = v_x * inverse, v_y * inverse
-        s[Q_X, g, lane], s[Q_Y, g, lane] = (xi - 1.0) * v_x, (xi - 1.0) * v_y
-        s[W_X, g, lane] *= step
-        s[W_Y, g, lane] *= step
-        s[SPIN, g, lane] *= step
-        s[SUM_X, g, lane], s[SUM_Y, g, lane], s[SUM_M, g, lane] = 0.0, 0.0, 0.0
-        s[FIRST, g, lane] = first
+    for n in range(groups * LANES):
+        xi = 1.0 - flat[FIRST, n] * step
+        v_x, v_y = flat[W_X, n], flat[W_Y, n] + 0.5 * flat[SPIN, n] * (1.0 + xi)
+        inverse = -1.0 / math.sqrt(v_x * v_x + v_y * v_y + _TINY)
+        flat[T_X, n], flat[T_Y, n] = v_x * inverse, v_y * inverse
+        flat[Q_X, n], flat[Q_Y, n] = (xi - 1.0) * v_x, (xi - 1.0) * v_y
+        flat[W_X, n] *= step
+        flat[W_Y, n] *= step
+        flat[SPIN, n] *= step
+        flat[SUM_X, n], flat[SUM_Y, n], flat[SUM_M, n] = 0.0, 0.0, 0.0
 
 
 @kernel
