@@ -36,7 +36,7 @@ from hh_exudyn.contact.silhouette import wheel_rail_pair
 from hh_exudyn.contact.tangential import THEORIES, force_kernel
 from hh_exudyn.contact.types import FloatArray, Patch, WheelRailModel
 from hh_exudyn.conventions import BACK_TO_BACK, FLANGE_BACK_TO_RUNNING_CIRCLE
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel, kernel
 
 # Half the sum of the lateral curvatures below which Hertz's ellipse would be wider than the profiles keep
 # their curvature (conformal contact): a relative radius of 2 m, an ellipse about 2.5 times wider than long.
@@ -246,7 +246,7 @@ def wheel_rail_forces(
     return 0
 
 
-@kernel
+@inlined_kernel
 def _finite(a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray, e: float) -> bool:
     """Whether every number of four vectors and a scalar is finite."""
     total = e
@@ -255,7 +255,7 @@ def _finite(a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray, e: float
     return math.isfinite(total)
 
 
-@kernel
+@inlined_kernel
 def _patch_forces(
     model: WheelRailModel,
     side: float,
