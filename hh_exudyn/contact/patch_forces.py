@@ -28,7 +28,7 @@ from hh_exudyn.contact.search import (
 from hh_exudyn.contact.silhouette import WheelRailPair
 from hh_exudyn.contact.tangential import force_kernel
 from hh_exudyn.contact.types import FloatArray, Patch, WheelRailModel
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel
 
 CREEPAGE_SPEED_FLOOR = 0.1  # m/s, the least speed that creepages refer to
 
@@ -53,7 +53,7 @@ _PATCH_POWER = int(Patch.POWER)
 _PATCH_FLOORED = int(Patch.FLOORED)
 
 
-@kernel
+@inlined_kernel
 def add_patch(
     model: WheelRailModel,
     pair: WheelRailPair,

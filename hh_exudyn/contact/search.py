@@ -56,7 +56,7 @@ _JOINED = -1.0  # in place of a saddle that has been dealt with
 _TURNING_ITERATIONS = 25  # to 1e-11 m: two minima that part in between are found before they matter
 
 
-@kernel
+@inlined_kernel
 def find_contacts(pair: WheelRailPair, contacts: FloatArray) -> int:
     """Find all contact patches of one wheel (kernel: trusts its input).
 
@@ -110,7 +110,7 @@ def _complete(pair: WheelRailPair, contacts: FloatArray, count: int) -> None:
             row[APPROACH] *= row[_WEIGHT] ** (2.0 / 3.0)
 
 
-@kernel
+@inlined_kernel
 def _find_minima(pair: WheelRailPair, contacts: FloatArray) -> int:
     """Halve intervals of nodes until what they hold is certain, find the zeros: rows of `contacts`.
 

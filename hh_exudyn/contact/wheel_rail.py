@@ -30,7 +30,7 @@ from hh_exudyn.contact.strips import STRIP_COLUMNS
 from hh_exudyn.contact.tangential import THEORIES
 from hh_exudyn.contact.types import FloatArray, WheelRailModel
 from hh_exudyn.conventions import BACK_TO_BACK, FLANGE_BACK_TO_RUNNING_CIRCLE
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel, kernel
 
 
 def wheel_rail_model(
@@ -230,7 +230,7 @@ def wheel_rail_forces(
     return 0
 
 
-@kernel
+@inlined_kernel
 def _finite(a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray, e: float) -> bool:
     """Whether every number of four vectors and a scalar is finite."""
     total = e
