@@ -4,9 +4,16 @@ Every row stands for its output interval dt. In it the wheel turns V dt / (2 pi 
 the depth of Archard's law from the strip of the profile that the patch covers. A patch at y_wheel with
 contact angle gamma covers its lateral coordinate y (frame C, to the left) at y_wheel - side y cos(gamma) of
 the profile; the depth is normal to the surface, so a bin of width w holds the worn area depth w / cos(gamma).
+
+The rows of a chunk are cut into blocks of a fixed size. Each is summed by itself, several at once in threads
+(the kernel holds no lock), and their sums are added in the order of the rows: the result is the same to the
+last bit however many threads there are.
 """
 
 import math
+import os
+from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -21,6 +28,8 @@ from damage.wheel_surface import FLANGE, TREAD, LateralGrid, Wheel, WheelSurface
 from hh_exudyn.contact.tangential import THEORIES, field_kernel
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import kernel
+
+BLOCK_ROWS = 500  # rows of a block: some milliseconds of work; the sums depend on it in the last digits
 
 
 class States(NamedTuple):
@@ -139,6 +148,7 @@ def accumulate(
     grid: LateralGrid,
     clock: OutputClock | None = None,
     chunk_rows: int = CHUNK_ROWS,
+    threads: int | None = None,
 ) -> WheelSurface:
     """Sum a contact log on the surfaces of its wheels.
 
@@ -162,38 +172,95 @@ def accumulate(
         Output times of the whole log where `source` is a piece of it; None takes those of `source`.
     chunk_rows
         Rows that are read at once.
+    threads
+        States that are solved at once, at least 1; None takes the processors that this process may use. It
+        has no influence on the result.
 
     Raises
     ------
     ValueError
-        Unknown theory, bad values in the log, or patches beyond the grid.
+        Unknown theory, bad values in the log, patches beyond the grid, or threads below 1.
     """
     if theory not in THEORIES:
         raise ValueError(f"theory = {theory!r}; known theories: {', '.join(THEORIES)}")
     if min(cells) < 1:
         raise ValueError(f"cells = {cells} must be at least 1 along and across")
+    if threads is None:
+        threads = usable_processors()
+    if threads < 1:
+        raise ValueError(f"threads = {threads} must be at least 1")
     if clock is None:
         clock = output_clock(source)
-    fields = np.zeros((5, cells[1], cells[0]))
-    strips = np.zeros((cells[1], MAP_REGIMES))
     total = WheelSurface.zero((), grid)
-    for chunk in contact_chunks(source, rows=chunk_rows):
-        _check_on_grid(chunk, grid)
-        part, states = _chunk_sums(chunk, clock, material, flange_angle, grid)
-        add_states(
-            states,
-            THEORIES[theory],
-            material.elastic.shear_modulus,
-            material.elastic.poisson_ratio,
-            wear_map.values,
-            grid.start,
-            grid.step,
-            fields,
-            strips,
-            Sums(part.depth, part.worn_area, part.worn_volume, part.contact_time, part.fatigue_time),
-        )
-        total = total + part
+    with ThreadPoolExecutor(threads) as pool:
+        before: tuple[WheelSurface, list[Future[Sums]]] | None = None
+        for chunk in contact_chunks(source, rows=chunk_rows):
+            _check_on_grid(chunk, grid)
+            part, states = _chunk_sums(chunk, clock, material, flange_angle, grid)
+            blocks = [
+                pool.submit(
+                    _block_sums, block, part.wheels, THEORIES[theory], cells, material, wear_map, grid
+                )
+                for block in _blocks(states)
+            ]
+            if before is not None:  # while its successor is read, a chunk is solved
+                total = total + _collected(*before)
+            before = part, blocks
+        if before is not None:
+            total = total + _collected(*before)
     return total
+
+
+def usable_processors() -> int:
+    """Processors that this process may use, where the system tells; else all there are."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def _blocks(states: States) -> Iterator[States]:
+    """The states in blocks of `BLOCK_ROWS`."""
+    for first in range(0, states.wheel.size, BLOCK_ROWS):
+        yield States._make(column[first : first + BLOCK_ROWS] for column in states)
+
+
+def _block_sums(
+    states: States,
+    wheels: tuple[Wheel, ...],
+    theory: int,
+    cells: tuple[int, int],
+    material: WheelMaterial,
+    wear_map: JendelMap,
+    grid: LateralGrid,
+) -> Sums:
+    """Wear and times of a block, summed from zero."""
+    sums = _sums(WheelSurface.zero(wheels, grid))
+    add_states(
+        states,
+        theory,
+        material.elastic.shear_modulus,
+        material.elastic.poisson_ratio,
+        wear_map.values,
+        grid.start,
+        grid.step,
+        np.zeros((5, cells[1], cells[0])),
+        np.zeros((cells[1], MAP_REGIMES)),
+        sums,
+    )
+    return sums
+
+
+def _sums(surface: WheelSurface) -> Sums:
+    """The arrays of a surface that the loop over the states adds to."""
+    return Sums(*(getattr(surface, name) for name in Sums._fields))
+
+
+def _collected(part: WheelSurface, blocks: list[Future[Sums]]) -> WheelSurface:
+    """The sums of a chunk with those of its blocks, in order."""
+    for block in blocks:
+        for whole, share in zip(_sums(part), block.result(), strict=True):
+            whole += share
+    return part
 
 
 def _chunk_sums(

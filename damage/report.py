@@ -89,6 +89,7 @@ def assess(
     wear_map: JendelMap = DRY,
     flange_angle: float = FLANGE_ANGLE,
     grid: LateralGrid = DEFAULT_GRID,
+    threads: int | None = None,
 ) -> DamageReport:
     """Wear and rolling contact fatigue of all wheels of a run.
 
@@ -110,6 +111,9 @@ def assess(
         Contact angle above which a contact counts as flange contact [rad], 0 to pi/2.
     grid
         Bins over the wheel profile.
+    threads
+        States that are solved at once; None takes the processors that this process may use. It has no
+        influence on the result.
 
     Raises
     ------
@@ -119,7 +123,7 @@ def assess(
     if not 0.0 < flange_angle < 0.5 * math.pi:
         raise ValueError(f"flange_angle = {flange_angle} rad must lie within 0..pi/2 rad")
     start = time.perf_counter()
-    surface = accumulate(run_or_table, material, theory, cells, wear_map, flange_angle, grid)
+    surface = accumulate(run_or_table, material, theory, cells, wear_map, flange_angle, grid, threads=threads)
     wall = time.perf_counter() - start
     if surface.distance <= 0.0:
         raise ValueError("the run does not move: wear per distance has no meaning")

@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 
+from hh_exudyn.contact.non_elliptic import check_combination
 from hh_exudyn.contact.profile import Profile, read_rail_profile
 from hh_exudyn.conventions import NOMINAL_GAUGE
 from track.alignment import Curve, Straight, Transition
@@ -139,17 +140,23 @@ _Cells = Annotated[int, Field(ge=5, le=100)]
 
 
 class ContactCase(CaseTable):
-    """Tangential theory, its grid, and the damping d of the normal force N (1 + d * approach rate).
+    """Normal and tangential theory, grid, and the damping d of the normal force N (1 + d * approach rate).
 
     The default of d is assumed: at 150 kN it is a damper of 45 kN s/m, 4 % of critical for the 200 kg of a
     rail on a contact spring of 1.7 GN/m. 15 x 15 cells give the creep force to 0.25 % of mu N in the mean.
     """
 
+    normal: Literal["hertz", "analyn", "kik_piotrowski"] = "hertz"
     theory: Literal["fastrip", "fastsim"] = "fastrip"
     cells: tuple[_Cells, _Cells] = Field(
         default=(15, 15), strict=False, json_schema_extra={"allowed": "two whole numbers from 5 to 100"}
     )
     damping_s_per_m: float = number("s/m", 0, 3, 0.3)
+
+    @model_validator(mode="after")
+    def _check_combination(self) -> Self:
+        check_combination(self.normal, self.theory)
+        return self
 
 
 class IntegrationCase(CaseTable):

@@ -1,4 +1,4 @@
-"""The one door to numba: the decorator `kernel`, scratch `memory`, and `Bundle` for arguments of many arrays.
+"""The one door to numba: `kernel`, `inlined_kernel`, scratch `memory`, and `Bundle` for many arrays.
 
 Numba's file cache does not notice when a kernel in ANOTHER file changes, and then runs old code without
 a word. Here the cache folder is named by the hash of every source that kernels are made of, so that any
@@ -83,6 +83,18 @@ def kernel(function: F) -> F:
     return compiled
 
 
+def inlined_kernel(function: F) -> F:
+    """`kernel` for a function that is always written out where a kernel calls it.
+
+    For what is small, called often and takes a NamedTuple of tables: every call would copy some fifty numbers
+    to the stack and back, which costs more than what the function does.
+    """
+    compiled: F = numba.njit(cache=_FOLDER is not None, error_model="numpy", nogil=True, forceinline=True)(
+        function
+    )
+    return compiled
+
+
 @intrinsic(prefer_literal=True)
 def _on_stack(typing_context: Any, count: Any) -> Any:
     """Pointer to `count` floats (a constant) on the stack of the kernel that asks for them."""
@@ -134,8 +146,14 @@ class Bundle(structref.StructRefProxy):
     """
 
     def __new__(cls, model: Any, work: Any) -> "Bundle":
-        bundle: Bundle = structref.StructRefProxy.__new__(cls, model, work)
+        bundle: Bundle = _new_bundle(model, work)
         return bundle
 
 
 structref.define_proxy(Bundle, _BundleType, ["model", "work"])
+
+
+@kernel
+def _new_bundle(model: Any, work: Any) -> Any:
+    """In the kernel cache, unlike what the proxy would compile by itself: that takes seconds a process."""
+    return Bundle(model, work)

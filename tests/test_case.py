@@ -114,6 +114,11 @@ FAULTS: dict[str, tuple[dict[str, Any], list[str]]] = {  # change: parts of the 
     "self": ({"self": 1}, ["unknown key self = 1"]),
     "inner key": ({"track": {"flexibilty": "x"}}, ["unknown key track.flexibilty", '"flexibility"?']),
     "vehicle": ({"vehicle": "iore_wagon_laden"}, ["vehicle =", "iore_wagon_empty", '"iore_wagon_loaded"?']),
+    "normal": ({"contact": {"normal": "hertzian"}}, ["contact.normal", "hertz, analyn, kik_piotrowski"]),
+    "normal and theory": (
+        {"contact": {"normal": "analyn", "theory": "fastsim"}},
+        ["contact", "theory = 'fastsim'", "'fastrip'"],
+    ),
     "theory": ({"contact": {"theory": "fastrap"}}, ["contact.theory", "fastrip, fastsim", '"fastrip"?']),
     "rail": ({"track": {"rail": "61E1"}}, ["track.rail", "61E1", "60E1"]),
     "rail file": ({"track": {"rail": "no/such.txt"}}, ["track.rail", "no/such.txt", "not found"]),

@@ -164,9 +164,11 @@ def prepare(groups: int, rolling: Rolling, cells_x: int, state: Memory) -> None:
             exists = length > 0.0
             part = part if exists else 0.0
             factor = length * inverse * inverse
-            spin = factor * (rolling.one_phi if full else rolling.three_phi)
-            w_x = factor * (rolling.one_x if full else rolling.three_x) - spin * y
-            w_y = factor * (rolling.one_y if full else rolling.three_y)
+            # one flexibility where the whole strip slips; the fourth power lets it come in without a jump
+            one = part**4
+            spin = factor * (rolling.three_phi + one * (rolling.one_phi - rolling.three_phi))
+            w_x = factor * (rolling.three_x + one * (rolling.one_x - rolling.three_x)) - spin * y
+            w_y = factor * (rolling.three_y + one * (rolling.one_y - rolling.three_y))
             spin *= length
             sticking = 1.0 - 0.5 * _sticks_until(w_x, w_y, spin)
             s[FIRST, g, lane] = math.floor(min(sticking, 1.0 - part) * cells_x)
@@ -175,4 +177,4 @@ def prepare(groups: int, rolling: Rolling, cells_x: int, state: Memory) -> None:
             s[KAPPA, g, lane] = kappa if exists else 0.0
             s[LAMBDA, g, lane] = lambda_ if exists else 0.0
             s[PRIME, g, lane] = lambda_prime if exists else 0.0
-        begin(g, cells_x, 2.0, state)
+    begin(groups, cells_x, state)

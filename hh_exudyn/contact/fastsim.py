@@ -3,8 +3,8 @@
 J.J. Kalker, A fast algorithm for the simplified theory of rolling contact, Vehicle System Dynamics 11 (1982)
 1-13; equations 2.37-2.42 of Hossein-Nia (KTH, 2018). The surface yields locally, u = L q, with one
 flexibility for each creepage, fitted to Kalker's coefficients; particles are followed through strips of the
-ellipse from the leading edge x = +a(y), and the traction is cut at friction times a parabolic pressure. The march is that of
-`fastsim_march`.
+ellipse from the leading edge x = +a(y), and the traction is cut at friction times a parabolic pressure. The
+march is that of `fastsim_march`.
 
 Two variants can be chosen: one flexibility for all creepages, the mean of the three weighted by the
 creepages; and the bound friction times Hertz's elliptic pressure (better stresses in the slip zone, worse
@@ -93,7 +93,7 @@ def _prepare(
             s[W_Y, g, lane] = factor * w_y
             s[SPIN, g, lane] = factor * length * spin
             s[FIRST, g, lane] = 0.0
-        begin(g, cells_x, math.inf if elliptic else 2.0, state)
+    begin(groups, cells_x, state)
 
 
 @kernel

@@ -10,12 +10,14 @@ first order in the slip zone; `advance` is of second order.
 import math
 
 from hh_exudyn.contact.strips import (
+    BLOCK,
     BOTH_X,
     BOTH_Y,
     FIRST,
     LANES,
     Q_X,
     Q_Y,
+    ROWS,
     SHAPE,
     SLIPS,
     SPIN,
@@ -64,7 +66,6 @@ def advance(
     q_y: float,
     t_x: float,
     t_y: float,
-    slips: float,
     step_x: float,
     step_y: float,
     bound: float,
@@ -76,9 +77,7 @@ def advance(
     q_x, q_y : float
         Traction at the old node.
     t_x, t_y : float
-        Its direction, a unit vector.
-    slips : float
-        1 where the old node slips, else 0.
+        Its direction, a unit vector, also where it sticks.
     step_x, step_y : float
         Rigid slip over flexibility in the middle of the cell, times the cell's length.
     bound : float
@@ -93,7 +92,8 @@ def advance(
     -----
     q_new = q_trial - s (t_old + t_new)/2 with |q_new| = bound: slip along the mean direction. The length
     follows without a root, s = (|q_trial|^2 - bound^2)/(bound + q_trial . t_old). Where the trial traction
-    turns right round, or slip begins, the slip is along the new direction (Kalker's own step). No branches:
+    turns right round, the slip is along the new direction (Kalker's own step). Where slip begins s grows from
+    zero, so that forces have no jumps in the creepages. No branches:
     the compiler takes this step in several strips at once.
     """
     q_x -= step_x
@@ -102,7 +102,7 @@ def advance(
     excess = 0.5 * (square - bound * bound)
     along = bound + q_x * t_x + q_y * t_y
     sticks = excess <= 0.0
-    turns = (slips > 0.5) & (along > 0.0) & (not sticks)
+    turns = (along > 0.0) & (not sticks)
     inverse = 1.0 / (along * bound + excess if turns else math.sqrt(square + _TINY))
     ahead = along if turns else 1.0
     back = excess if turns else 0.0
@@ -114,31 +114,31 @@ def advance(
 
 
 @kernel
-def begin(g: int, cells_x: int, slope: float, state: Memory) -> None:
-    """Set a group of strips at the node where its march begins (row `FIRST`); all of it sticks until there.
+def begin(groups: int, cells_x: int, state: Memory) -> None:
+    """Set each group of strips at the first node that one of them needs (row `FIRST`); all stick until there.
 
     Until then the traction is (xi - 1) times v = (w_x, w_y + spin (1 + xi)/2). The rows of w hold the scaled
-    rigid slip, and afterwards that of one cell. `slope` is the bound's at the leading edge, where slip begins
-    at once if the rigid slip is steeper.
+    rigid slip, and afterwards that of one cell.
     """
     s = shaped(state, SHAPE)
+    for g in range(groups):
+        first = s[FIRST, g, 0]
+        for lane in range(LANES):
+            first = min(first, s[FIRST, g, lane])
+        for lane in range(LANES):
+            s[FIRST, g, lane] = first
+    flat = shaped(state, (ROWS, BLOCK))
     step = 2.0 / cells_x
-    first = s[FIRST, g, 0]
-    for lane in range(LANES):
-        first = min(first, s[FIRST, g, lane])
-    xi = 1.0 - first * step
-    for lane in range(LANES):
-        v_x, v_y = s[W_X, g, lane], s[W_Y, g, lane] + 0.5 * s[SPIN, g, lane] * (1.0 + xi)
-        square = v_x * v_x + v_y * v_y
-        inverse = -1.0 / math.sqrt(square + _TINY)
-        s[T_X, g, lane], s[T_Y, g, lane] = v_x * inverse, v_y * inverse
-        s[Q_X, g, lane], s[Q_Y, g, lane] = (xi - 1.0) * v_x, (xi - 1.0) * v_y
-        s[SLIPS, g, lane] = 1.0 if (first == 0.0) & (square > slope * slope) else 0.0
-        s[W_X, g, lane] *= step
-        s[W_Y, g, lane] *= step
-        s[SPIN, g, lane] *= step
-        s[SUM_X, g, lane], s[SUM_Y, g, lane], s[SUM_M, g, lane] = 0.0, 0.0, 0.0
-        s[FIRST, g, lane] = first
+    for n in range(groups * LANES):
+        xi = 1.0 - flat[FIRST, n] * step
+        v_x, v_y = flat[W_X, n], flat[W_Y, n] + 0.5 * flat[SPIN, n] * (1.0 + xi)
+        inverse = -1.0 / math.sqrt(v_x * v_x + v_y * v_y + _TINY)
+        flat[T_X, n], flat[T_Y, n] = v_x * inverse, v_y * inverse
+        flat[Q_X, n], flat[Q_Y, n] = (xi - 1.0) * v_x, (xi - 1.0) * v_y
+        flat[W_X, n] *= step
+        flat[W_Y, n] *= step
+        flat[SPIN, n] *= step
+        flat[SUM_X, n], flat[SUM_Y, n], flat[SUM_M, n] = 0.0, 0.0, 0.0
 
 
 @kernel
@@ -150,7 +150,7 @@ def march_cell(cell: int, groups: int, xi: float, bound: float, state: Memory) -
             for lane in range(LANES):
                 old_x, old_y = s[T_X, g, lane], s[T_Y, g, lane]
                 q_x, q_y, t_x, t_y, slips = advance(
-                    s[Q_X, g, lane], s[Q_Y, g, lane], old_x, old_y, s[SLIPS, g, lane],
+                    s[Q_X, g, lane], s[Q_Y, g, lane], old_x, old_y,
                     s[W_X, g, lane], s[W_Y, g, lane] + s[SPIN, g, lane] * xi, bound,
                 )  # fmt: skip
                 s[Q_X, g, lane], s[Q_Y, g, lane] = q_x, q_y

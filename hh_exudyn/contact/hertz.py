@@ -20,7 +20,7 @@ from scipy.special import elliprd, elliprf
 
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.types import FloatArray
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel
 
 _LARGEST_RATIO = 1e6  # longer over shorter semi-axis that the exact solution looks for [-]
 _TABLE_RATIO = 300.0  # the same at the end of the kernel's table, beyond which it is clamped [-]
@@ -148,7 +148,7 @@ def _spline_table() -> tuple[float, float, FloatArray]:
 _START, _STEP, _COEFFICIENTS = _spline_table()
 
 
-@kernel
+@inlined_kernel
 def normal_contact(
     approach: float, curvature_x: float, curvature_y: float, shear_modulus: float, poisson_ratio: float
 ) -> tuple[float, float, float, float]:

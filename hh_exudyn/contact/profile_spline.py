@@ -12,7 +12,7 @@ from scipy.ndimage import gaussian_filter1d
 
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.types import FloatArray, SplineTable
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel
 
 MAX_SLOPE = 5.0  # |dz/dy| where tables end, 78.7 degrees: no wheel in service touches a steeper rail flank
 _RESAMPLING_STEP = 20e-6  # m, of the dense curve that is smoothed
@@ -67,12 +67,12 @@ def spline_table(profile: Profile, step: float = 0.25e-3, smoothing: float = 0.5
     spline = CubicSpline(nodes, values, bc_type=((1, dense(nodes[0], 1)), (1, dense(nodes[-1], 1))))
     second = spline(nodes, 2)
     if profile.kind == "wheel":
-        return SplineTable(float(nodes[0]), step, values, second)
+        return _table(float(nodes[0]), step, values, second)
     more = math.ceil(_RUN_OUT / step)
     out = step * np.arange(1, more + 1)
     before = values[0] - spline(nodes[0], 1) * out + 0.5 * second[0] * out**2
     beyond = values[-1] + spline(nodes[-1], 1) * out + 0.5 * second[-1] * out**2
-    return SplineTable(
+    return _table(
         float(nodes[0]) - more * step,
         step,
         np.concatenate([before[::-1], values, beyond]),
@@ -80,7 +80,25 @@ def spline_table(profile: Profile, step: float = 0.25e-3, smoothing: float = 0.5
     )
 
 
-@kernel
+def _table(start: float, step: float, z: FloatArray, second: FloatArray) -> SplineTable:
+    """The table with what follows from heights and second derivatives."""
+    slope = np.empty_like(z)
+    slope[:-1] = np.diff(z) / step - step / 6.0 * (2.0 * second[:-1] + second[1:])
+    slope[-1] = slope[-2] + 0.5 * step * (second[-2] + second[-1])
+    levels = int(math.log2(z.size - 1)) + 1
+    bounds = np.empty((levels, z.size, 2))
+    bounds[:, :, 0], bounds[:, :, 1] = -np.inf, np.inf  # beyond the grid nothing is known
+    bounds[0, :-1, 0] = np.minimum(second[:-1], second[1:])  # linear from node to node
+    bounds[0, :-1, 1] = np.maximum(second[:-1], second[1:])
+    for level in range(1, levels):
+        half = 1 << (level - 1)
+        below = bounds[level - 1]
+        bounds[level, :-half, 0] = np.minimum(below[:-half, 0], below[half:, 0])
+        bounds[level, :-half, 1] = np.maximum(below[:-half, 1], below[half:, 1])
+    return SplineTable(start, step, z, second, 1.0 / step, slope, bounds)
+
+
+@inlined_kernel
 def spline_evaluate(table: SplineTable, y: float) -> tuple[float, float, float]:
     """Height, slope and second derivative of a spline table at `y`; NaN outside the grid.
 
@@ -96,7 +114,7 @@ def spline_evaluate(table: SplineTable, y: float) -> tuple[float, float, float]:
     z, slope, second : float
         [m], [-], [1/m].
     """
-    u = (y - table.start) / table.step
+    u = (y - table.start) * table.per_step
     last = table.z.size - 1
     if not (u >= 0.0 and u <= last):
         return math.nan, math.nan, math.nan
@@ -106,8 +124,9 @@ def spline_evaluate(table: SplineTable, y: float) -> tuple[float, float, float]:
     s = 1.0 - t
     m0 = table.second[i]
     m1 = table.second[i + 1]
-    z = s * table.z[i] + t * table.z[i + 1] + h * h / 6.0 * ((s * s * s - s) * m0 + (t * t * t - t) * m1)
-    slope = (table.z[i + 1] - table.z[i]) / h + h / 6.0 * (
+    sixth = h * (1.0 / 6.0)
+    z = s * table.z[i] + t * table.z[i + 1] + h * sixth * ((s * s * s - s) * m0 + (t * t * t - t) * m1)
+    slope = (table.z[i + 1] - table.z[i]) * table.per_step + sixth * (
         (1.0 - 3.0 * s * s) * m0 + (3.0 * t * t - 1.0) * m1
     )
     return z, slope, s * m0 + t * m1

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from hh_exudyn.contact.profile_spline import spline_evaluate
 from hh_exudyn.contact.types import FloatArray, SplineTable
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel
 
 
 class WheelRailPair(NamedTuple):
@@ -35,9 +35,12 @@ class WheelRailPair(NamedTuple):
     axle_z: float
     rail_y: float  # where the origin of the rail profile lies in T, displacement of the rail included [m]
     rail_z: float
+    # of the axle's direction, as equation 1 needs them
+    ratio: float  # lx^2 / (1 - lx^2)
+    root: float  # 1 / sqrt(1 - lx^2)
 
 
-@kernel
+@inlined_kernel
 def wheel_rail_pair(
     wheel: SplineTable,
     rail: SplineTable,
@@ -50,6 +53,7 @@ def wheel_rail_pair(
     rail_z: float,
 ) -> WheelRailPair:
     """A `WheelRailPair` from the vectors `position` and `axle`, (3,) each."""
+    inverse = 1.0 / (1.0 - axle[0] * axle[0])
     return WheelRailPair(
         wheel,
         rail,
@@ -63,10 +67,12 @@ def wheel_rail_pair(
         axle[2],
         rail_y,
         rail_z,
+        axle[0] * axle[0] * inverse,
+        math.sqrt(inverse),
     )
 
 
-@kernel
+@inlined_kernel
 def silhouette(
     pair: WheelRailPair, y_wheel: float, z: float, slope: float
 ) -> tuple[float, float, float, float]:
@@ -89,9 +95,8 @@ def silhouette(
     lx, ly, lz = pair.axle_x, pair.axle_y, pair.axle_z
     t = pair.side * (pair.distance - y_wheel)
     steepness = pair.side * slope  # R' = dR/dt, as R = r0 - z and t = side (d - y)
-    square = 1.0 - lx * lx
-    ratio = lx * lx / square
-    down = math.sqrt((1.0 - steepness * steepness * ratio) / square)
+    ratio = pair.ratio
+    down = pair.root * math.sqrt(1.0 - steepness * steepness * ratio)
     ex = steepness * lx  # equation 1; e is a unit vector normal to l
     ey = down * lz - steepness * ratio * ly
     ez = -down * ly - steepness * ratio * lz
@@ -101,7 +106,7 @@ def silhouette(
     return t * lx + radius * ex, t * ly + radius * ey, t * lz + radius * ez, pair.side * normal_y / normal_z
 
 
-@kernel
+@inlined_kernel
 def gap_at(pair: WheelRailPair, y_wheel: float) -> tuple[float, float, float, float, float, float]:
     """Vertical gap between silhouette and rail at a point of the wheel profile.
 
@@ -117,6 +122,14 @@ def gap_at(pair: WheelRailPair, y_wheel: float) -> tuple[float, float, float, fl
         Position on the rail profile and its derivatives there.
     """
     z, slope, second = spline_evaluate(pair.wheel, y_wheel)
+    return gap_below(pair, y_wheel, z, slope, second)
+
+
+@inlined_kernel
+def gap_below(
+    pair: WheelRailPair, y_wheel: float, z: float, slope: float, second: float
+) -> tuple[float, float, float, float, float, float]:
+    """`gap_at` for a point whose height and derivatives on the wheel profile are known."""
     _, py, pz, slope_wheel = silhouette(pair, y_wheel, z, slope)
     y_rail = pair.side * (pair.rail_y - (pair.centre_y + py))
     z_rail, slope_rail, second_rail = spline_evaluate(pair.rail, y_rail)

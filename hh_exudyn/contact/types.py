@@ -17,13 +17,17 @@ Memory = Any  # what `kernel.memory` gives
 class SplineTable(NamedTuple):
     """A profile z(y) as a cubic spline on a uniform grid, in side coordinates.
 
-    Value, slope and second derivative are continuous. Outside the grid there is no profile.
+    Value, slope and second derivative are continuous. Outside the grid there is no profile. The last three
+    fields follow from the others: they are what the contact search would otherwise compute again and again.
     """
 
     start: float  # y of the first node [m]
     step: float  # node spacing [m]
     z: FloatArray  # (n,) heights at the nodes [m]
     second: FloatArray  # (n,) second derivatives d2z/dy2 at the nodes [1/m]
+    per_step: float  # 1 / step [1/m]
+    slope: FloatArray  # (n,) slopes at the nodes [-]
+    bounds: FloatArray  # (levels, n, 2) least and largest second derivative from node i to node i + 2^level
 
 
 class WheelRailModel(NamedTuple):
@@ -43,6 +47,7 @@ class WheelRailModel(NamedTuple):
     shear_modulus: float  # of both bodies [Pa]
     poisson_ratio: float
     damping: float  # Hunt-Crossley damping d of the normal force N (1 + d * approach rate) [s/m]
+    normal: int  # a value of `non_elliptic.NORMAL_THEORIES`
     theory: int  # a value of `tangential.THEORIES`
     cells_x: int  # cells of the tangential solve along and across the patch
     cells_y: int
@@ -57,9 +62,9 @@ class Patch(IntEnum):
     CONTACT_ANGLE = 3  # between contact plane and track plane, positive towards the flange [rad]
     ROLLING_RADIUS = 4  # [m]
     NORMAL_FORCE = 5  # [N]
-    A = 6  # semi-axis in rolling direction [m]
+    A = 6  # semi-axis in rolling direction, of the equivalent ellipse if the patch is made of strips [m]
     B = 7  # lateral semi-axis [m]
-    P_MAX = 8  # Hertz pressure [Pa]
+    P_MAX = 8  # largest pressure [Pa]
     NU_X = 9  # longitudinal creepage [-]
     NU_Y = 10  # lateral creepage [-]
     PHI = 11  # spin creepage [1/m]

@@ -31,9 +31,9 @@ CONTACT = (
     Column("contact_angle", "float64", "rad", "contact plane to track plane, positive towards the flange"),
     Column("rolling_radius", "float64", "m", "radius of the wheel at the contact"),
     Column("normal_force", "float64", "N", "normal force"),
-    Column("a", "float64", "m", "semi-axis of the patch in rolling direction"),
+    Column("a", "float64", "m", "semi-axis in rolling direction (equivalent ellipse if the patch is none)"),
     Column("b", "float64", "m", "lateral semi-axis of the patch"),
-    Column("p_max", "float64", "Pa", "Hertz pressure"),
+    Column("p_max", "float64", "Pa", "largest pressure"),
     Column("nu_x", "float64", "-", "longitudinal creepage"),
     Column("nu_y", "float64", "-", "lateral creepage"),
     Column("phi", "float64", "1/m", "spin creepage"),
@@ -46,6 +46,8 @@ CONTACT = (
     Column("Y", "float64", "N", "lateral force of the wheel on the rail, outwards (repeated on its patches)"),
     Column("angle_of_attack", "float64", "rad", "yaw of the wheelset to the track, positive to the left"),
     Column("y_wheelset", "float64", "m", "lateral position of the wheelset's centre, positive to the left"),
+    Column("approach", "float64", "m", "elastic approach along the normal"),
+    Column("roll", "float64", "rad", "roll of the wheelset to the track, right-hand about x"),
 )
 
 MOTION = (

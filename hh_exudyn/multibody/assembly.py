@@ -66,6 +66,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
             nominal_radius=radii.pop(),
             material=STEEL,
             damping=case.contact.damping_s_per_m,
+            normal=case.contact.normal,
             theory=case.contact.theory,
             cells=case.contact.cells,
         ),
@@ -193,7 +194,7 @@ def exudyn_system(
     model: SystemModel,
     q: FloatArray,
     v: FloatArray,
-    forces: Callable[[Any, float, int, Any, Any], FloatArray],
+    forces: Callable[[Any, float, int, Any, Any], list[float]],
     after_step: Callable[[Any, float], bool],
 ) -> Any:
     """The assembled Exudyn system: rigid bodies, track masses, and one object that brings all forces.

@@ -7,6 +7,7 @@ from scipy.optimize import brentq, least_squares
 
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.conventions import GRAVITY
+from hh_exudyn.kernel import Bundle
 from hh_exudyn.multibody.assembly import start_middle
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
@@ -17,7 +18,7 @@ from hh_exudyn.multibody.model import (
     first_creep,
     first_track,
 )
-from hh_exudyn.multibody.system import evaluate
+from hh_exudyn.multibody.system import evaluate_bundle
 from vehicles.description import Vehicle
 
 FORCE_TOLERANCE = 5.0  # N or N m, of any body, on weights of 1e4..1e6 N
@@ -59,6 +60,7 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
     work.arc_length[len(vehicle.wheelsets) :] = model.train.start
     q, v = _guess(vehicle, model, work, middle)
     sliders = np.zeros_like(work.new_sliders)
+    bundle = Bundle(model, work)
     spins = [BODY_COORDINATES * int(i) + 4 for i in model.wheelsets]
     place = BODY_COORDINATES * model.train.body
     weight = float(model.mass.sum()) * GRAVITY
@@ -77,7 +79,7 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
         v[creep] = unknown[creep]
         q[place] = middle
         model.train.start[:] = start + unknown[place]
-        evaluate(model, work, sliders, q, v, 0.0, True)
+        evaluate_bundle(bundle, sliders, q, v, 0.0, True)
         return work.generalized_force / weight * _FORCE_SCALE
 
     # from zero change the trust region begins at one length scale: no step loses a one-sided contact
@@ -114,13 +116,14 @@ def _guess(
         for k in range(first_track(model), first_creep(model)):
             vertical = (k - first_track(model)) % TRACK_COORDINATES in (1, 3, 5)
             q[k] = -track if vertical else 0.0
+    bundle = Bundle(model, work)
     heights = np.arange(2, first_track(model), BODY_COORDINATES)
     sliders = np.zeros_like(work.new_sliders)
 
     def lack_of_load(height: float) -> float:
         moved = q.copy()
         moved[heights] += height
-        evaluate(model, work, sliders, moved, v, 0.0, True)
+        evaluate_bundle(bundle, sliders, moved, v, 0.0, True)
         return float(model.mass.sum()) * GRAVITY + float(work.rail_force[:, :, 1].sum())
 
     if not lack_of_load(-_HEIGHT_RANGE) < 0.0 < lack_of_load(_HEIGHT_RANGE):

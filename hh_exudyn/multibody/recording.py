@@ -6,10 +6,10 @@ import numpy as np
 
 from hh_exudyn.contact.types import MAX_PATCHES, FloatArray, Patch
 from hh_exudyn.conventions import LEFT, RIGHT
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import Bundle, kernel
 from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.log.schema import CONTACT, ENERGY, MOTION
-from hh_exudyn.multibody.model import BODY_COORDINATES, IntArray, Ledger, SystemModel, Workspace
+from hh_exudyn.multibody.model import BODY_COORDINATES, IntArray, SystemModel, Workspace
 from hh_exudyn.multibody.system import energies
 from track.alignment import locate
 from vehicles.description import Vehicle
@@ -18,14 +18,14 @@ _FIRST_COPIED = int(Patch.Y_WHEEL)  # columns of a contact state that the log ta
 _LAST_COPIED = int(Patch.FRICTION)  # up to this one, followed by the speed and the creep forces
 _NORMAL_FORCE = int(Patch.NORMAL_FORCE)
 _FORCE_X = int(Patch.FORCE_X)
+_APPROACH = int(Patch.APPROACH)
 
 
 class LogWriter:
     """Turns the state of a vehicle into log rows."""
 
     def __init__(self, vehicle: Vehicle, model: SystemModel, work: Workspace, recorder: Recorder) -> None:
-        self._model = model
-        self._work = work
+        self._bundle = Bundle(model, work)
         self._recorder = recorder
         self._bogies = np.array([wheelset.bogie for wheelset in vehicle.wheelsets])
         self._contact = np.zeros((len(vehicle.wheelsets) * 2 * MAX_PATCHES, len(CONTACT)))
@@ -35,33 +35,43 @@ class LogWriter:
 
     def write(self, time: float, v: FloatArray) -> None:
         """Append one output time; the work space must hold the evaluation of this state."""
-        count = _contact_rows(self._work, self._bogies, time, self._contact)
+        count = _rows(self._bundle, self._bogies, v, time, self._contact, self._motion, self._energy[0])
+        if math.isnan(self._potential_at_start):
+            self._potential_at_start = float(self._energy[0, -1])
+        self._energy[0, -1] -= self._potential_at_start
         self._recorder.append_rows("contact", self._contact[:count])
-        _motion_rows(self._model, self._work, v, time, self._motion)
         self._recorder.append_rows("motion", self._motion)
-        self._energy_row(time, v)
         self._recorder.append_rows("energy", self._energy)
 
-    def _energy_row(self, time: float, v: FloatArray) -> None:
-        work = self._work
-        kinetic, potential = energies(self._model, work, v)
-        if math.isnan(self._potential_at_start):
-            self._potential_at_start = potential
-        train = self._model.train.body
-        s = locate(
-            self._model.alignment, work.position[train, 0], work.position[train, 1], work.arc_length[-1]
-        )
-        self._energy[0] = (
-            time,
-            s,
-            work.ledger[Ledger.COUPLER_FORCE],
-            work.ledger[Ledger.COUPLER_POWER],
-            work.ledger[Ledger.CONTACT_POWER],
-            work.ledger[Ledger.FRICTION_POWER],
-            work.ledger[Ledger.DAMPER_POWER],
-            kinetic,
-            potential - self._potential_at_start,
-        )
+
+@kernel
+def _rows(
+    bundle: Bundle,
+    bogies: IntArray,
+    v: FloatArray,
+    time: float,
+    contact: FloatArray,
+    motion: FloatArray,
+    energy: FloatArray,
+) -> int:
+    """Fill the rows of all three logs; returns the number of those of the contact log."""
+    model, work = bundle.model, bundle.work
+    _motion_rows(model, work, v, time, motion)
+    _energy_row(model, work, v, time, energy)
+    return _contact_rows(work, bogies, time, contact)
+
+
+@kernel
+def _energy_row(model: SystemModel, work: Workspace, v: FloatArray, time: float, row: FloatArray) -> None:
+    """Fill the row of the energy log, its potential energy from the height of the global frame."""
+    kinetic, potential = energies(model, work, v)
+    place = work.position[model.train.body]
+    row[0] = time
+    row[1] = locate(model.alignment, place[0], place[1], work.arc_length[-1])
+    for k in range(work.ledger.size):
+        row[2 + k] = work.ledger[k]
+    row[-2] = kinetic
+    row[-1] = potential
 
 
 @kernel
@@ -70,6 +80,7 @@ def _contact_rows(work: Workspace, bogies: IntArray, time: float, rows: FloatArr
     count = 0
     for w in range(bogies.size):
         angle_of_attack = math.atan2(-work.frame_axle[w, 0], work.frame_axle[w, 1])
+        roll = math.asin(work.frame_axle[w, 2])
         for index in range(2):
             side = LEFT if index == 0 else RIGHT
             for number in range(work.patches.shape[2]):
@@ -95,6 +106,8 @@ def _contact_rows(work: Workspace, bogies: IntArray, time: float, rows: FloatArr
                 row[k + 5] = work.rail_force[w, index, 0] * side
                 row[k + 6] = angle_of_attack
                 row[k + 7] = work.frame_position[w, 1]
+                row[k + 8] = patch[_APPROACH]
+                row[k + 9] = roll
                 count += 1
     return count
 

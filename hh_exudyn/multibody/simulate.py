@@ -21,7 +21,7 @@ from hh_exudyn.multibody.model import SystemModel, Workspace, workspace
 from hh_exudyn.multibody.recording import LogWriter
 from hh_exudyn.multibody.stability import require_stable_step
 from hh_exudyn.multibody.system import evaluate_bundle
-from hh_exudyn.multibody.watch import REASONS, Trouble, look, watch_state
+from hh_exudyn.multibody.watch import REASONS, Trouble, look_bundle, watch_state
 from vehicles.catalogue import vehicle as vehicle_by_name
 from vehicles.description import Vehicle
 
@@ -127,6 +127,7 @@ class _Integration:
         self._log = log
         self._sliders = state.sliders.copy()
         self._watch = watch_state(model)
+        self._watched = Bundle(work, self._watch)
         self._speed = case.speed
         self._step = case.integration.step_ms * 1e-3
         self._steps_per_output = round(case.integration.output_interval_ms / case.integration.step_ms)
@@ -182,7 +183,7 @@ class _Integration:
     def _interrupt(self, number: int, frame: FrameType | None) -> None:
         self._interrupted = True
 
-    def _forces(self, mbs: Any, time: float, item: int, q: Any, q_t: Any) -> FloatArray:
+    def _forces(self, mbs: Any, time: float, item: int, q: Any, q_t: Any) -> list[float]:
         """Exudyn's force function: one kernel call; never raises, since Exudyn would hide the reason."""
         start = clock.perf_counter()
         # the same numbers as in the argument lists, four times faster
@@ -197,8 +198,9 @@ class _Integration:
                 self._commit(time, v, status)
             except Exception as error:
                 self._error = error
+        result: list[float] = self._work.generalized_force.tolist()  # read faster than an array
         self._callback_time += clock.perf_counter() - start
-        return self._work.generalized_force
+        return result
 
     @property
     def floored(self) -> int:
@@ -211,7 +213,7 @@ class _Integration:
         if status:  # the contact kernel's: 1 + number of the wheel
             trouble, (wheelset, side) = int(Trouble.NOT_FINITE), divmod(status - 1, 2)
         else:
-            trouble, wheelset, side = look(self._work, self._watch, self._step)
+            trouble, wheelset, side = look_bundle(self._watched, self._step)
         if trouble:
             wheel = f"{wheelset + 1}{'LR'[side]}" if wheelset >= 0 else ""
             raise SimulationStopped(*REASONS[Trouble(trouble)], wheel, time, self._position)

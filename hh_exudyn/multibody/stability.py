@@ -7,9 +7,10 @@ false state that looks like a run. So the step is checked before the run, not by
 import numpy as np
 from numpy.typing import NDArray
 
+from hh_exudyn.kernel import Bundle
 from hh_exudyn.multibody.equilibrium import Equilibrium
 from hh_exudyn.multibody.model import BODY_COORDINATES, SystemModel, Workspace, first_creep, first_track
-from hh_exudyn.multibody.system import evaluate
+from hh_exudyn.multibody.system import evaluate_bundle
 
 LARGEST_STEP = 2e-3  # s, no step above it is looked for
 MARGIN = 0.8  # of the limit at rest: two-point contact in a curve is stiffer than the tread on a straight
@@ -23,6 +24,7 @@ def eigenvalues(model: SystemModel, work: Workspace, state: Equilibrium) -> NDAr
     By central differences of the force kernel. The wheelsets' rotation about their axles is taken at angle
     zero, their gyroscopic moments are left out.
     """
+    bundle = Bundle(model, work)
     n = state.q.size
     mass = np.ones(n)
     for i in range(model.mass.size):
@@ -33,7 +35,7 @@ def eigenvalues(model: SystemModel, work: Workspace, state: Equilibrium) -> NDAr
         mass[first_track(model) : first_creep(model)] = np.tile(model.track_mass, len(model.wheelsets))
 
     def rate(dq: NDArray[np.float64], dv: NDArray[np.float64]) -> NDArray[np.float64]:
-        evaluate(model, work, state.sliders, state.q + dq, state.v + dv, 0.0, False)
+        evaluate_bundle(bundle, state.sliders, state.q + dq, state.v + dv, 0.0, False)
         return work.generalized_force / mass
 
     system = np.zeros((2 * n, 2 * n))

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hh_exudyn.contact.types import FloatArray, Patch, SplineTable
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import Bundle, kernel
 from hh_exudyn.multibody.model import SystemModel, Workspace
 
 LIFT_OFF_TIME = 0.1  # s without contact of a wheel that counts as a derailment
@@ -128,3 +128,9 @@ def look(work: Workspace, state: WatchState, step: float) -> tuple[int, int, int
             state.lateral_force[w, side] += change
             state.change[w, side] = change
     return _NONE, -1, -1
+
+
+@kernel
+def look_bundle(bundle: Bundle, step: float) -> tuple[int, int, int]:
+    """`look` for a bundle of work space (as its model) and watch."""
+    return look(bundle.model, bundle.work, step)

@@ -1,68 +1,161 @@
-"""Time of the contact search and of the whole contact kernel (run with ``pytest tests/benchmarks``)."""
+"""Time of the contact search, and of one wheel (search, Hertz, creepages, creep forces) beside FaStrip alone.
 
+Called from compiled code, as the dynamics does.
+Run: pytest tests/benchmarks -p benchmark --override-ini addopts="--import-mode=importlib"
+"""
+
+import math
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
 
-from hh_exudyn.contact.profile import gauge_point, rail_profile, wheel_profile
-from hh_exudyn.contact.profile_spline import spline_table
+from hh_exudyn.contact.profile import rail_profile, wheel_profile
 from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
 from hh_exudyn.contact.silhouette import wheel_rail_pair
-from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, SplineTable
+from hh_exudyn.contact.tangential import FASTRIP, force_kernel
+from hh_exudyn.contact.types import (
+    MAX_PATCHES,
+    PATCH_COLUMNS,
+    FloatArray,
+    Patch,
+    SplineTable,
+    WheelRailModel,
+)
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 from hh_exudyn.kernel import kernel
 
-SEARCHES = 1000
+CALLS = 1000
+WHEELSETS = 4  # of one call, as in a wagon
+RADIUS, GAUGE = 0.46, 1.435
+NORMAL_FORCE = int(Patch.NORMAL_FORCE)
+
+# Inclination of a 60E1 rail; how far the wheel stands towards it from the middle of the track, amplitude, and
+# depth below the running plane [m]; yaw [rad]. Wheel loads of 100 to 200 kN; near the flange with two points,
+# and in the flange root, where wheel and rail are all but parallel.
+PLACES = {
+    "tread": (1 / 40, -0.0015, 0.0007, 300e-6, 0.5e-3),
+    "two points": (1 / 30, 0.0056, 0.0002, -40e-6, 1e-3),
+    "flange root": (1 / 40, 0.0063, 0.0001, -450e-6, 2e-3),
+    "flange": (1 / 40, 0.0067, 0.0001, -690e-6, 2e-3),
+}
 
 
 @kernel
-def _search_many(
+def many_searches(
     wheel: SplineTable,
     rail: SplineTable,
     rail_y: float,
-    position: Any,
-    axle: Any,
+    position: FloatArray,
+    axle: FloatArray,
     amplitude: float,
-    rows: Any,
+    rows: FloatArray,
+    calls: int,
 ) -> int:
-    """Searches with the wheelset moving from side to side, as many as `SEARCHES`."""
     found = 0
     centre = position[1]
-    for i in range(SEARCHES):
-        position[1] = centre + amplitude * np.sin(0.01 * i)
-        found += find_contacts(
-            wheel_rail_pair(wheel, rail, 1.0, 0.75, 0.46, position, axle, rail_y, 0.0), rows
-        )
+    for i in range(calls):
+        position[1] = centre + amplitude * math.sin(0.01 * i)
+        pair = wheel_rail_pair(wheel, rail, 1.0, 0.75, RADIUS, position, axle, rail_y, 0.0)
+        found += find_contacts(pair, rows)
     position[1] = centre
     return found
 
 
-@pytest.mark.parametrize(("centre", "amplitude"), [(-0.003, 0.002), (0.0, 0.006)])
-def test_search_per_1000_wheels(benchmark: Any, centre: float, amplitude: float) -> None:
-    wheel, rail = wheel_profile("S1002"), rail_profile("60E1")
-    position, axle = np.array([0.0, centre, 0.46 - 250e-6]), np.array([-3e-3, np.sqrt(1 - 9e-6), 0.0])
-    tables = spline_table(wheel), spline_table(rail)
-    rows = np.zeros((MAX_MINIMA, CONTACT_COLUMNS))
-    rail_y = 0.7175 + gauge_point(rail)
-    found = benchmark(_search_many, *tables, rail_y, position, axle, amplitude, rows)
-    assert found > 0
+@kernel
+def many_wheelsets(
+    model: WheelRailModel,
+    position: FloatArray,
+    axle: FloatArray,
+    velocity: FloatArray,
+    angular_velocity: FloatArray,
+    zero: FloatArray,
+    gauge: FloatArray,
+    friction: FloatArray,
+    wrench: FloatArray,
+    rail_force: FloatArray,
+    patches: FloatArray,
+    amplitude: float,
+    calls: int,
+) -> int:
+    """Calls for wheelsets that move alike; returns how many patches of the first carried load."""
+    present = 0
+    centre = position[0, 1]
+    for i in range(calls):
+        position[:, 1] = centre + amplitude * math.sin(0.01 * i)
+        wheel_rail_forces(
+            model, position, axle, velocity, angular_velocity, zero, zero, zero, gauge, friction,
+            wrench, rail_force, patches,
+        )  # fmt: skip
+        for side in range(2):
+            for patch in range(MAX_PATCHES):
+                present += patches[0, side, patch, NORMAL_FORCE] > 0.0
+    position[:, 1] = centre
+    return present
 
 
-@pytest.mark.parametrize("theory", ["fastsim", "fastrip"])
-def test_four_wheelsets(benchmark: Any, theory: str) -> None:
-    wheel, rail = wheel_profile("S1002"), rail_profile("60E1")
-    model = wheel_rail_model(wheel, wheel, rail, rail, nominal_radius=0.46, theory=theory)
-    n = 4
-    position = np.tile([0.0, 0.0, 0.46 - 250e-6], (n, 1))
-    position[:, 1] = [-0.002, -0.001, 0.0, 0.001]
-    axle = np.tile([0.0, 1.0, 0.0], (n, 1))
-    velocity = np.tile([20.0, 0.01, 0.0], (n, 1))
+@kernel
+def many_forces(
+    a: float, b: float, normal: float, nu_x: float, nu_y: float, phi: float, friction: float, calls: int
+) -> float:
+    total = 0.0
+    for i in range(calls):
+        slip = nu_x * (1.0 + 1e-6 * (i & 1023))
+        x, y, m = force_kernel(FASTRIP, a, b, normal, slip, nu_y, phi, friction, 82e9, 0.28, 20, 20)
+        total += x + y + m
+    return total
+
+
+def wheelset(place: str) -> tuple[tuple[Any, ...], FloatArray, float]:
+    """Arguments of `many_wheelsets` but for the last two, patches and amplitude.
+
+    The gauge is such that both wheels stand alike.
+    """
+    inclination, towards_rail, amplitude, depth, yaw = PLACES[place]
+    wheel, rail = wheel_profile("S1002"), rail_profile("60E1", inclination)
+    model = wheel_rail_model(wheel, wheel, rail, rail, nominal_radius=RADIUS, cells=(20, 20))
+    n = WHEELSETS
+    axle = np.tile([-math.sin(yaw), math.cos(yaw), 0.0], (n, 1))
     patches = np.zeros((n, 2, MAX_PATCHES, PATCH_COLUMNS))
-    displacement, rail_velocity, creep_lag, rail_force = (np.zeros((n, 2, 2)) for _ in range(4))
-    status = benchmark(
-        wheel_rail_forces, model, position, axle, velocity, axle * 20.0 / 0.46, displacement, rail_velocity,
-        creep_lag, np.full(n, 1.435), np.full((n, 2), 0.3), np.zeros((n, 6)), rail_force, patches,
+    arguments = (
+        model, np.tile([0.0, 0.0, RADIUS - depth], (n, 1)), axle, np.tile([20.0, 0.0, 0.0], (n, 1)),
+        axle * 20.0 / RADIUS, np.zeros((n, 2, 2)), np.full(n, GAUGE - 2.0 * towards_rail),
+        np.full((n, 2), 0.4), np.zeros((n, 6)), np.zeros((n, 2, 2)), patches,
     )  # fmt: skip
-    assert status == 0
-    assert (patches[:, :, 0, 5] > 0).all()  # all eight wheels in contact
+    return arguments, patches, amplitude
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_search(benchmark: Callable[..., Any], place: str) -> None:
+    """A thousand wheels."""
+    arguments, _, amplitude = wheelset(place)
+    model, position, axle, gauge = arguments[0], arguments[1][0], arguments[2][0], arguments[6][0]
+    rail_y = 0.5 * gauge + model.gauge_point_left
+    rows = np.zeros((MAX_MINIMA, CONTACT_COLUMNS))
+    tables = model.wheel_left, model.rail_left
+    many_searches(*tables, rail_y, position, axle, amplitude, rows, 1)
+    assert benchmark(many_searches, *tables, rail_y, position, axle, amplitude, rows, CALLS) >= CALLS
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_wheels(benchmark: Callable[..., Any], place: str) -> None:
+    """A thousand wheels, eight a call, at 20 x 20 cells; the patches of a wheel are told beside."""
+    arguments, _, amplitude = wheelset(place)
+    many_wheelsets(*arguments, amplitude, 1)
+    calls = CALLS // (2 * WHEELSETS)
+    present = benchmark(many_wheelsets, *arguments, amplitude, calls)
+    assert present >= 2 * calls
+    benchmark.extra_info["patches of a wheel"] = present / (2 * calls)
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_fastrip_alone(benchmark: Callable[..., Any], place: str) -> None:
+    """A thousand creep forces on 20 x 20 cells of the first wheel's first patch, to compare."""
+    arguments, patches, _ = wheelset(place)
+    many_wheelsets(*arguments, 0.0, 1)
+    row = patches[0, 0, 0]
+    names = (Patch.A, Patch.B, Patch.NORMAL_FORCE, Patch.NU_X, Patch.NU_Y, Patch.PHI, Patch.FRICTION)
+    state = [float(row[name]) for name in names]
+    many_forces(*state, 1)
+    assert np.isfinite(benchmark(many_forces, *state, CALLS))

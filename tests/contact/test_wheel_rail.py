@@ -10,10 +10,11 @@ import pytest
 
 from hh_exudyn.contact.hertz import hertz_patch
 from hh_exudyn.contact.material import STEEL
+from hh_exudyn.contact.non_elliptic import CURVATURE_FLOOR
 from hh_exudyn.contact.profile import Profile, rail_profile, wheel_profile
 from hh_exudyn.contact.profile_spline import spline_evaluate
 from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, Patch, WheelRailModel
-from hh_exudyn.contact.wheel_rail import CURVATURE_FLOOR, wheel_rail_forces, wheel_rail_model
+from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 
 REFERENCE = Path(__file__).parents[1] / "reference" / "wheel_rail_mbench_a22.csv"
 R0 = 0.46
@@ -81,7 +82,8 @@ def random_state(n: int, seed: int) -> State:
     return state
 
 
-def test_mirrored_states_give_mirrored_forces() -> None:
+@pytest.mark.parametrize("normal", ["hertz", "analyn", "kik_piotrowski"])
+def test_mirrored_states_give_mirrored_forces(normal: str) -> None:
     n = 60
     state = random_state(n, 1)
     mirrored = State(n)
@@ -95,7 +97,7 @@ def test_mirrored_states_give_mirrored_forces() -> None:
     mirrored.gauge, mirrored.friction = state.gauge, state.friction[:, ::-1].copy()
     for array in ("position", "axle", "velocity", "angular_velocity", "rail_displacement", "rail_velocity"):
         setattr(mirrored, array, np.ascontiguousarray(getattr(mirrored, array)))
-    damped = model(damping=2.0)
+    damped = model(damping=2.0, normal=normal)
     assert state.solve(damped).status == mirrored.solve(damped).status == 0
     np.testing.assert_allclose(mirrored.wrench[:, :3], state.wrench[:, :3] * flip, rtol=1e-9, atol=1e-6)
     np.testing.assert_allclose(mirrored.wrench[:, 3:], state.wrench[:, 3:] * axial, rtol=1e-9, atol=1e-6)
@@ -262,6 +264,8 @@ def test_model_checks_its_input() -> None:
         ({"back_to_back": 1360.0}, "back_to_back"),
         ({"damping": -1.0}, "damping"),
         ({"theory": "magic"}, "fastrip"),
+        ({"normal": "magic"}, "kik_piotrowski"),
+        ({"normal": "analyn", "theory": "fastsim"}, "'fastrip'"),
         ({"cells": (0, 15)}, "cells"),
     ):
         with pytest.raises(ValueError, match=message):

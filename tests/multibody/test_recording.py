@@ -1,5 +1,6 @@
 """Log rows against the work space they are taken from, column by column and by name."""
 
+import math
 from types import SimpleNamespace
 
 import numpy as np
@@ -60,7 +61,7 @@ def test_contact_rows_are_the_patches_by_name(writer):
     rows = kept.table("contact")
     assert rows.time.size == 4 * 2 * MAX_PATCHES
     shared = [column for column in Patch if column.name.lower() in vars(rows)]
-    assert len(shared) == PATCH_COLUMNS - 3  # but approach, power and the curvature floor
+    assert len(shared) == PATCH_COLUMNS - 2  # but power and the curvature floor
     for k in range(rows.time.size):
         wheelset, index, patch = int(rows.wheelset[k]) - 1, 0 if rows.side[k] == 1 else 1, int(rows.patch[k])
         for column in shared:
@@ -72,6 +73,7 @@ def test_contact_rows_are_the_patches_by_name(writer):
         assert rows.bogie[k] == WAGON.wheelsets[wheelset].bogie
         assert rows.speed[k] == work.frame_velocity[wheelset, 0]
         assert rows.y_wheelset[k] == work.frame_position[wheelset, 1]
+        assert rows.roll[k] == pytest.approx(math.asin(work.frame_axle[wheelset, 2]), rel=1e-12)
         assert rows.Q[k] == -work.rail_force[wheelset, index, 1]
         assert rows.Y[k] == rows.side[k] * work.rail_force[wheelset, index, 0]
     assert len({*zip(rows.wheelset, rows.side, rows.patch, strict=True)}) == rows.time.size

@@ -1,0 +1,238 @@
+"""The patch behind a logged contact state, rebuilt from the profiles: strips, pressure, traction and slip.
+
+A contact log holds the equivalent ellipse of a non-elliptic patch. Its strips follow again from the profiles,
+the place of the contact, the approach, and roll and yaw of the wheelset, by the kernels of the run; so they
+can be finer than in the run.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from scipy.optimize import brentq
+
+from hh_exudyn.contact.fastrip import field_on_strips
+from hh_exudyn.contact.neighbours import find_patches
+from hh_exudyn.contact.non_elliptic import HERTZ, minimum, patch_strips
+from hh_exudyn.contact.profile_spline import spline_evaluate
+from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS, Y_WHEEL
+from hh_exudyn.contact.silhouette import WheelRailPair, silhouette, wheel_rail_pair
+from hh_exudyn.contact.strips import HALF_LENGTH, PRESSURE, STRIP_COLUMNS, WIDTH, Y
+from hh_exudyn.contact.tangential import TractionField
+from hh_exudyn.contact.types import FloatArray, WheelRailModel
+from hh_exudyn.conventions import LEFT
+
+_STEP = 0.25  # of the search for the height, over the approach
+_STEPS = 40
+_TOLERANCE = 1e-13  # m, of the height
+
+
+class State(Protocol):
+    """What is needed of a contact state: a `ContactState`, or a row of the contact log by attributes."""
+
+    @property
+    def side(self) -> int: ...
+    @property
+    def y_wheel(self) -> float: ...
+    @property
+    def y_rail(self) -> float: ...
+    @property
+    def normal_force(self) -> float: ...
+    @property
+    def a(self) -> float: ...
+    @property
+    def b(self) -> float: ...
+    @property
+    def p_max(self) -> float: ...
+    @property
+    def nu_x(self) -> float: ...
+    @property
+    def nu_y(self) -> float: ...
+    @property
+    def phi(self) -> float: ...
+    @property
+    def friction(self) -> float: ...
+    @property
+    def angle_of_attack(self) -> float: ...
+    @property
+    def approach(self) -> float: ...
+    @property
+    def roll(self) -> float: ...
+
+
+@dataclass(frozen=True)
+class PatchShape:
+    """Strips of a patch, from right to left as frame C has them; arrays (n,).
+
+    Attributes
+    ----------
+    y : FloatArray
+        Middle of the strips, lateral from the contact's place (its centre of pressure), frame C [m].
+    width, half_length : FloatArray
+        [m].
+    pressure : FloatArray
+        At x = 0, semi-elliptic along the strip; it carries the normal force of the state [Pa].
+    a, b : float
+        Semi-axes of the equivalent ellipse [m].
+    """
+
+    y: FloatArray
+    width: FloatArray
+    half_length: FloatArray
+    pressure: FloatArray
+    a: float
+    b: float
+
+    def normal_force(self) -> float:
+        """Integral of the pressure [N]."""
+        return float(0.5 * math.pi * np.sum(self.pressure * self.half_length * self.width))
+
+    def strips(self) -> FloatArray:
+        """The array that kernels take (`strips`)."""
+        return np.column_stack((self.y, self.width, self.half_length, self.pressure))
+
+
+def patch_shape(model: WheelRailModel, state: State, strips: int = 50) -> PatchShape:
+    """The strips of a contact state.
+
+    Parameters
+    ----------
+    model : WheelRailModel
+        Profiles and theory of the run, from `wheel_rail.wheel_rail_model`.
+    state : State
+        Attributes named as the columns of the contact log.
+    strips : int
+        3 .. 1000.
+
+    Returns
+    -------
+    PatchShape
+
+    Raises
+    ------
+    ValueError
+        A number out of its range, or profiles between which there is no such contact.
+    """
+    if not 3 <= strips <= 1000:
+        raise ValueError(f"strips = {strips}, allowed 3 .. 1000")
+    if not (state.normal_force > 0.0 and state.approach > 0.0):
+        raise ValueError(
+            f"normal_force = {state.normal_force} N, approach = {state.approach} m; both must be > 0"
+        )
+    rows = np.zeros((strips, STRIP_COLUMNS))
+    if model.normal == HERTZ:
+        a, b = state.a, state.b
+        lateral = -1.0 + (2.0 * np.arange(strips) + 1.0) / strips
+        rows[:, Y], rows[:, WIDTH] = b * lateral, 2.0 * b / strips
+        rows[:, HALF_LENGTH] = a * np.sqrt(1.0 - lateral**2)
+        rows[:, PRESSURE] = state.p_max * np.sqrt(1.0 - lateral**2)
+    else:
+        a, b = _solve(model, state, rows)
+    if rows[0, Y] > rows[-1, Y]:
+        rows = rows[::-1]
+    shape = PatchShape(rows[:, Y], rows[:, WIDTH], rows[:, HALF_LENGTH], rows[:, PRESSURE], a, b)
+    scale = state.normal_force / shape.normal_force()  # contact damping, and what strips leave to their edges
+    return PatchShape(shape.y, shape.width, shape.half_length, scale * shape.pressure, a, b)
+
+
+def traction_on_shape(
+    model: WheelRailModel, state: State, shape: PatchShape, cells_x: int = 50
+) -> TractionField:
+    """Pressure, FaStrip's tractions on the wheel and slip over V in the cells of a patch.
+
+    Parameters
+    ----------
+    model : WheelRailModel
+        For the material.
+    state : State
+        As for `patch_shape`.
+    shape : PatchShape
+        Its strips.
+    cells_x : int
+        Cells along each strip, 3 .. 1000.
+
+    Returns
+    -------
+    TractionField
+        Arrays (strips, cells_x); cell (j, i) has the area 2 half_length_j width_j / cells_x.
+    """
+    if not 3 <= cells_x <= 1000:
+        raise ValueError(f"cells_x = {cells_x}, allowed 3 .. 1000")
+    count = shape.y.size
+    along = -1.0 + (2.0 * np.arange(cells_x) + 1.0) / cells_x
+    pressure, q_x, q_y, slip_x, slip_y = (np.zeros((count, cells_x)) for _ in range(5))
+    field_on_strips(
+        shape.strips(), count, shape.a, shape.b, state.normal_force, state.nu_x, state.nu_y, state.phi,
+        state.friction, model.shear_modulus, model.poisson_ratio, pressure, q_x, q_y, slip_x, slip_y,
+    )  # fmt: skip
+    return TractionField(
+        shape.half_length[:, None] * along[None, :],
+        np.repeat(shape.y[:, None], cells_x, axis=1),
+        pressure, q_x, q_y, slip_x, slip_y,
+    )  # fmt: skip
+
+
+def _solve(model: WheelRailModel, state: State, rows: FloatArray) -> tuple[float, float]:
+    """Find the height of the wheelset that gives the logged approach; fill the strips, return a and b."""
+    low, middle, slope = _pair(model, state)
+    contacts = np.zeros((MAX_MINIMA, CONTACT_COLUMNS))
+
+    def solve(height: float) -> tuple[float, float, float, float]:
+        """Approach, distance from the logged place, a, b of the patch nearest to that place."""
+        pair = low._replace(centre_z=height)
+        count = find_patches(model.normal, pair, contacts, model.shear_modulus, model.poisson_ratio, rows)
+        best = (0.0, math.inf, 0.0, 0.0)
+        for k in range(count):
+            contact = contacts[k].copy()
+            point = minimum(model.normal, pair, contact, model.shear_modulus, model.poisson_ratio)
+            strips = np.zeros_like(rows)
+            force, _, a, b, _ = patch_strips(pair, contact, point, contact[STIFFNESS], strips)
+            distance = abs(contact[Y_WHEEL] - state.y_wheel)
+            if force > 0.0 and distance < best[1]:
+                best = (point.approach, distance, a, b)
+                found[:] = strips
+        return best
+
+    found = np.zeros_like(rows)
+    shallow = middle  # here the profiles just touch at the logged place, which lies within the patch
+    step = _STEP * state.approach * math.sqrt(1.0 + slope * slope)
+    for _ in range(_STEPS):
+        deep = shallow - step
+        if solve(deep)[0] > state.approach >= solve(shallow)[0]:
+            break
+        shallow = deep
+    else:
+        raise ValueError(
+            f"no contact with approach = {state.approach:.3g} m at y_wheel = {state.y_wheel:.5f} m, "
+            f"y_rail = {state.y_rail:.5f} m between these profiles"
+        )
+    height = brentq(lambda z: solve(z)[0] - state.approach, deep, shallow, xtol=_TOLERANCE, rtol=1e-15)
+    _, _, a, b = solve(height)
+    rows[:] = found
+    return float(a), float(b)
+
+
+def _pair(model: WheelRailModel, state: State) -> tuple[WheelRailPair, float, float]:
+    """Wheel and rail with the logged places above each other, the height of touch and the slope there."""
+    left = state.side == LEFT
+    wheel, rail = (model.wheel_left, model.rail_left) if left else (model.wheel_right, model.rail_right)
+    yaw, roll = state.angle_of_attack, state.roll
+    axle = np.array([-math.sin(yaw) * math.cos(roll), math.cos(yaw) * math.cos(roll), math.sin(roll)])
+    pair = wheel_rail_pair(
+        wheel,
+        rail,
+        float(state.side),
+        model.running_circle_distance,
+        model.nominal_radius,
+        np.zeros(3),
+        axle,
+        0.0,
+        0.0,
+    )
+    z, slope, _ = spline_evaluate(wheel, state.y_wheel)
+    z_rail, _, _ = spline_evaluate(rail, state.y_rail)
+    _, py, pz, _ = silhouette(pair, state.y_wheel, z, slope)
+    if not math.isfinite(py + pz + z_rail):
+        raise ValueError(f"y_wheel = {state.y_wheel} m, y_rail = {state.y_rail} m: not on the profiles")
+    return pair._replace(rail_y=py + state.side * state.y_rail), z_rail - pz, slope
