@@ -31,6 +31,7 @@ from hh_exudyn.contact.types import Memory
 from hh_exudyn.kernel import kernel, shaped
 
 _TINY = 1e-300  # keeps 0/0 from happening; far below every square that occurs [-]
+_FADES = 0.5  # where the stick zone begins to give way, 1 being where it breaks Coulomb's law [-]
 
 
 class Rolling(NamedTuple):
@@ -115,10 +116,12 @@ def strip(xi: float, eta: float, psi: float, poisson_ratio: float) -> tuple[bool
     kappa, lambda_prime = xi * inverse, eta * inverse
     still = (square == 0.0) & (beyond <= 0.0)  # no creepage but spin, in the middle of the patch
     none = (radicand < 0.0) | (divisor <= 0.0) | (part >= 1.0)
-    # beyond |psi| = 1: |q| <= mu p in the stick zone is tightest at the leading edge
+    # beyond |psi| = 1: |q| <= mu p in the stick zone is tightest at the leading edge; 1 where it breaks there
     primes = kappa * kappa + lambda_prime * lambda_prime
-    breaks = primes * (1.0 - math.sqrt(max(1.0 - part, 0.0))) < beyond
-    full = (none | breaks) & (not still)
+    broken = beyond / (primes * (1.0 - math.sqrt(max(1.0 - part, 0.0))) + _TINY)
+    full = (none | (broken >= 1.0)) & (not still)
+    # the stick zone that is about to break is taken back beforehand, so that forces have no jumps
+    part += (1.0 - part) * max((broken - _FADES) / (1.0 - _FADES), 0.0)
     part = 1.0 if full else 0.0 if still else part
     kappa, lambda_prime = 0.0 if full else kappa, 0.0 if full else lambda_prime
     return full, part, kappa, 0.0 if full else lambda_prime + psi, lambda_prime

@@ -115,22 +115,25 @@ def largest_jump(theory: str, a: float, b: float, start: np.ndarray, end: np.nda
     return jump
 
 
-@settings(max_examples=25)
+@settings(max_examples=25, deadline=None)
 @given(
+    NAMES,
     st.floats(-1.6, 1.6),
-    st.tuples(st.floats(-8e-3, 8e-3), st.floats(-8e-3, 8e-3), st.floats(-0.9, 0.9)),
-    st.tuples(st.floats(-8e-3, 8e-3), st.floats(-8e-3, 8e-3), st.floats(-0.9, 0.9)),
+    st.tuples(st.floats(-8e-3, 8e-3), st.floats(-8e-3, 8e-3), st.floats(-3.0, 3.0)),
+    st.tuples(st.floats(-8e-3, 8e-3), st.floats(-8e-3, 8e-3), st.floats(-3.0, 3.0)),
 )
-def test_fastrip_has_no_jumps_below_full_spin(
-    log_ratio: float, start: tuple[float, float, float], end: tuple[float, float, float]
+def test_forces_have_no_jumps(
+    theory: str, log_ratio: float, start: tuple[float, float, float], end: tuple[float, float, float]
 ) -> None:
-    """With |psi| < 1 strips come to slip as a whole without a jump: what an integrator of order four needs.
+    """Slip begins, spreads and takes whole strips without a jump: what an integrator of order four needs.
 
-    (An even number of strips: in the middle one the traction could turn right round within a cell.)
+    Spin up to three times the |psi| = 1 at which strip theory has no solution. What is left comes from single
+    cells near the spin pole, in which the traction turns by more than a right angle: at most 0.23 % of mu N in
+    600 lines on these few cells. (A switch between the two flexibilities makes jumps of 2.5 %.)
     """
     a, b = axes(log_ratio)
     _, _, c23, _ = kalker_coefficients(a / b, STEEL.poisson_ratio)
     bound = MU * 1.5 * N / (math.pi * a * b)
     phi = 2.0 * bound / (STEEL.shear_modulus * a) * math.pi / 3.0 / (c23 * math.sqrt(b / a))  # |psi| = 1
     scale = np.array([1.0, 1.0, phi])
-    assert largest_jump("fastrip", a, b, np.array(start) * scale, np.array(end) * scale) < 1e-3
+    assert largest_jump(theory, a, b, np.array(start) * scale, np.array(end) * scale) < 5e-3
