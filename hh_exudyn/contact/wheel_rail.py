@@ -36,7 +36,7 @@ from hh_exudyn.contact.silhouette import wheel_rail_pair
 from hh_exudyn.contact.tangential import THEORIES, force_kernel
 from hh_exudyn.contact.types import FloatArray, Patch, WheelRailModel
 from hh_exudyn.conventions import BACK_TO_BACK, FLANGE_BACK_TO_RUNNING_CIRCLE
-from hh_exudyn.kernel import inlined_kernel, kernel
+from hh_exudyn.kernel import inlined_kernel
 
 # Half the sum of the lateral curvatures below which Hertz's ellipse would be wider than the profiles keep
 # their curvature (conformal contact): a relative radius of 2 m, an ellipse about 2.5 times wider than long.
@@ -143,7 +143,7 @@ def wheel_rail_model(
     )
 
 
-@kernel
+@inlined_kernel
 def wheel_rail_forces(
     model: WheelRailModel,
     position: FloatArray,
