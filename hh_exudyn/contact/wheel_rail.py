@@ -30,7 +30,7 @@ from hh_exudyn.contact.strips import STRIP_COLUMNS
 from hh_exudyn.contact.tangential import THEORIES
 from hh_exudyn.contact.types import FloatArray, WheelRailModel
 from hh_exudyn.conventions import BACK_TO_BACK, FLANGE_BACK_TO_RUNNING_CIRCLE
-from hh_exudyn.kernel import inlined_kernel, kernel
+from hh_exudyn.kernel import inlined_kernel
 
 
 def wheel_rail_model(
@@ -120,7 +120,7 @@ def wheel_rail_model(
     )
 
 
-@kernel
+@inlined_kernel
 def wheel_rail_forces(
     model: WheelRailModel,
     position: FloatArray,

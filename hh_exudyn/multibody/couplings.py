@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from hh_exudyn.contact.types import FloatArray
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel, kernel
 from hh_exudyn.multibody.model import Couplings, Kind, Ledger, Workspace
 from hh_exudyn.multibody.vectors import Triple, add_to, cross, rotate, rotate_back, triple
 from vehicles.force_laws import clearance_stop, dry_friction, two_stage_spring, wedge
@@ -26,7 +26,7 @@ _RING_X = np.cos(2.0 * np.pi * (np.arange(RING_POINTS) + 0.5) / RING_POINTS)
 _RING_Y = np.sin(2.0 * np.pi * (np.arange(RING_POINTS) + 0.5) / RING_POINTS)
 
 
-@kernel
+@inlined_kernel
 def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, work: Workspace) -> None:
     """Add the forces of all couplings to `work.force` and `work.torque`; fill `work.new_sliders`.
 
@@ -107,7 +107,7 @@ def _relative_rotation(rotation_a: FloatArray, rotation_b: FloatArray) -> Triple
     return 0.5 * x, 0.5 * y, 0.5 * z
 
 
-@kernel
+@inlined_kernel
 def _pad(
     p: FloatArray, d: Triple, v: Triple, rotation_a: FloatArray, rotation_b: FloatArray, work: Workspace
 ) -> tuple[Triple, Triple]:
@@ -126,7 +126,7 @@ def _pad(
     )
 
 
-@kernel
+@inlined_kernel
 def _nest(
     p: FloatArray, d: Triple, v: Triple, angle: Triple, turn: Triple, work: Workspace
 ) -> tuple[Triple, Triple]:
@@ -156,7 +156,7 @@ def _nest(
     )
 
 
-@kernel
+@inlined_kernel
 def _wedge(
     p: FloatArray,
     d: Triple,
@@ -194,7 +194,7 @@ def _wedge(
     return force
 
 
-@kernel
+@inlined_kernel
 def _plate(
     p: FloatArray,
     d: Triple,
@@ -252,7 +252,7 @@ def _plate(
     return (force_x, force_y, load), (moment_x, moment_y, torque)
 
 
-@kernel
+@inlined_kernel
 def _side_bearer(
     p: FloatArray, d: Triple, v: Triple, slider: FloatArray, new_slider: FloatArray, work: Workspace
 ) -> Triple:

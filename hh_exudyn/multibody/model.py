@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, FloatArray, WheelRailModel
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel
 from track.alignment import AlignmentTable
 from track.flexibility import TrackParameters
 
@@ -124,13 +124,13 @@ class Workspace(NamedTuple):
     generalized_force: FloatArray  # (coordinates,)
 
 
-@kernel
+@inlined_kernel
 def first_track(model: SystemModel) -> int:
     """Number of the first coordinate of the track."""
     return BODY_COORDINATES * model.mass.size
 
 
-@kernel
+@inlined_kernel
 def first_creep(model: SystemModel) -> int:
     """Number of the first creep coordinate."""
     track = TRACK_COORDINATES * model.wheelsets.size if model.flexible else 0

@@ -5,7 +5,7 @@ import math
 from hh_exudyn.contact.types import FloatArray, Patch
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces
 from hh_exudyn.conventions import GRAVITY
-from hh_exudyn.kernel import Bundle, kernel
+from hh_exudyn.kernel import Bundle, inlined_kernel, kernel
 from hh_exudyn.multibody.couplings import coupling_forces
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
@@ -29,7 +29,7 @@ _POWER = int(Patch.POWER)
 _A = int(Patch.A)
 
 
-@kernel
+@inlined_kernel
 def evaluate(
     model: SystemModel,
     work: Workspace,
@@ -78,7 +78,7 @@ def evaluate_bundle(
     return evaluate(bundle.model, bundle.work, sliders, q, v, time, settle)
 
 
-@kernel
+@inlined_kernel
 def _body_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArray) -> None:
     """Pose and velocity of every body in global axes, and gravity as its first force."""
     for i in range(model.mass.size):
@@ -94,7 +94,7 @@ def _body_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArr
         work.force[i, 2] = -model.mass[i] * GRAVITY
 
 
-@kernel
+@inlined_kernel
 def _train_forces(model: SystemModel, work: Workspace, time: float) -> None:
     """The train pulls at both coupler heads along the track, as if its neighbours kept a constant speed."""
     train = model.train
@@ -126,7 +126,7 @@ def _train_forces(model: SystemModel, work: Workspace, time: float) -> None:
         work.ledger[_COUPLER] += force * speed
 
 
-@kernel
+@inlined_kernel
 def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArray) -> None:
     """Pose and velocity of every wheelset in its own frame T, and the state of the rails under it.
 
@@ -171,7 +171,7 @@ def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: Floa
             work.creep_lag[w, side, 1] = v[k + 2 * side + 1] - sideways
 
 
-@kernel
+@inlined_kernel
 def _contact_forces(model: SystemModel, work: Workspace) -> None:
     """Wrenches of the rails onto the wheelsets, and the power lost in the contacts."""
     for w in range(model.wheelsets.size):
@@ -184,7 +184,7 @@ def _contact_forces(model: SystemModel, work: Workspace) -> None:
                 work.ledger[_CONTACT] += work.patches[w, side, patch, _POWER]
 
 
-@kernel
+@inlined_kernel
 def _generalized_forces(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArray) -> None:
     """Global forces and local torques of the bodies, then the forces of the track masses."""
     result = work.generalized_force
