@@ -57,6 +57,8 @@ def posed_pair(
         math.sin(roll),
         rail_y,
         0.0,
+        ratio=0.0,  # the axle lies across the track
+        root=1.0,
     )
 
 
