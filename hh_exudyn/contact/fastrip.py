@@ -13,17 +13,17 @@ on 50 x 50 cells in %, mean of the fields):
 
     kappa, lambda   a strip slips as a whole if it        force error            |q|
     made with       has no stick zone, or             mean   95 %   largest      L1
-    D               |psi| >= 1                        1.17    3.5     24.2       4.4
-    D               its leading cell breaks Coulomb   1.00    3.0      5.5       4.4
-    D               its stick zone breaks Coulomb     1.00    3.0      5.5       4.4   (used here)
-    D               (no further rule)                 1.03    3.0      5.5       4.4   (|q| up to 1.09 mu p)
-    d/a             |psi| >= 1                        2.85    6.9     24.2       8.8
+    D               |psi| >= 1                        1.18    3.5     24.3       4.4
+    D               its leading cell breaks Coulomb   1.01    3.1      5.5       4.4
+    D               its stick zone breaks Coulomb     1.01    3.1      5.5       4.4   (used here)
+    D               (no further rule)                 1.03    3.1      5.5       4.4   (|q| up to 1.09 mu p)
+    d/a             |psi| >= 1                        2.85    6.9     24.3       8.8
     d/a             its stick zone breaks Coulomb     2.73    6.8      9.5       8.8
 
 Coulomb's law in the stick zone, tightest at the leading edge, can fail for |psi| > 1 only; its limit there
 needs no cell. Three choices of our own: D is written (xi^2 + eta^2)/(root - eta psi), the same as equation
 2.44 and finite at |psi| = 1; FASTSIM's single flexibility, which strips in full slip use, comes in with the
-fourth power of the share of the strip that slips (1.00 against 1.06 % in the mean with a switch); and for
+fourth power of the share of the strip that slips (1.01 against 1.06 % in the mean with a switch); and for
 |psi| > 1 the stick zone goes before it would break Coulomb's law (no change in the figures above). With the
 last two the forces have no jumps in the creepages; switches make jumps of 2.5 % of mu N on 15 x 15 cells.
 """

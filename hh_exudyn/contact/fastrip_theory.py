@@ -112,7 +112,7 @@ def strip(xi: float, eta: float, psi: float, poisson_ratio: float) -> tuple[bool
     radicand = eta * eta - beyond * xi * xi
     divisor = math.sqrt(max(radicand, 0.0)) - eta * psi
     inverse = divisor / (square + _TINY)  # 1/D
-    part = square / (divisor * (1.0 - poisson_ratio))
+    part = square / ((divisor if divisor > 0.0 else 1.0) * (1.0 - poisson_ratio))
     kappa, lambda_prime = xi * inverse, eta * inverse
     still = (square == 0.0) & (beyond <= 0.0)  # no creepage but spin, in the middle of the patch
     none = (radicand < 0.0) | (divisor <= 0.0) | (part >= 1.0)

@@ -127,9 +127,9 @@ def test_forces_have_no_jumps(
 ) -> None:
     """Slip begins, spreads and takes whole strips without a jump: what an integrator of order four needs.
 
-    Spin up to three times the |psi| = 1 at which strip theory has no solution. What is left comes from single
-    cells near the spin pole, in which the traction turns by more than a right angle: at most 0.23 % of mu N in
-    600 lines on these few cells. (A switch between the two flexibilities makes jumps of 2.5 %.)
+    Spin up to three times the |psi| = 1 at which strip theory has no solution. What is left comes from
+    single cells near the spin pole, in which the traction turns by more than a right angle: at most 0.23 % of
+    mu N in 600 lines on these few cells. (A switch between the two flexibilities makes jumps of 2.5 %.)
     """
     a, b = axes(log_ratio)
     _, _, c23, _ = kalker_coefficients(a / b, STEEL.poisson_ratio)
