@@ -40,6 +40,8 @@ def load_ellipse(
 ) -> int:
     """Put the strips first .. first + count - 1 of an ellipse cut into `total` strips into a block.
 
+    Their places are exactly those of the mirrored strips with the sign turned.
+
     Parameters
     ----------
     a, b : float
@@ -62,7 +64,7 @@ def load_ellipse(
     for g in range(groups):
         for lane in range(LANES):
             row = g * LANES + lane
-            lateral = (2 * (first + row) + 1) * inverse - 1.0
+            lateral = (2 * (first + row) + 1 - total) * inverse
             square = 1.0 - lateral * lateral
             exists = (row < count) & (square > 0.0)
             cosine = math.sqrt(square if exists else 1.0)
