@@ -45,7 +45,7 @@ def wheel_rail_model(
     damping: float = 0.0,
     normal: str = "hertz",
     theory: str = "fastrip",
-    cells: tuple[int, int] = (15, 15),
+    cells: tuple[int, int] = (32, 16),
     smoothing: float = 0.5e-3,
 ) -> WheelRailModel:
     """Everything about the contact that does not change during a run.

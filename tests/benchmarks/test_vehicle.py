@@ -14,7 +14,7 @@ from hh_exudyn.multibody.system import evaluate_bundle
 from vehicles.catalogue import vehicle
 
 
-@pytest.mark.parametrize("cells", [(11, 11), (15, 15), (20, 20)])
+@pytest.mark.parametrize("cells", [(16, 16), (32, 16), (50, 50)])
 def test_evaluate(benchmark, cells):
     case = Case.from_toml(files("hh_exudyn").joinpath("data/demo.toml").read_text(encoding="utf-8"))
     case = case.with_changes(contact={"cells": cells})

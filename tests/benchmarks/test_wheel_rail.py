@@ -14,7 +14,7 @@ import pytest
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
 from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
 from hh_exudyn.contact.silhouette import wheel_rail_pair
-from hh_exudyn.contact.tangential import FASTRIP, force_kernel
+from hh_exudyn.contact.theories import FASTRIP, force_kernel
 from hh_exudyn.contact.types import (
     MAX_PATCHES,
     PATCH_COLUMNS,
