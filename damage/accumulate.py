@@ -25,7 +25,7 @@ from damage.material import WheelMaterial
 from damage.rcf import surface_fatigue_index
 from damage.wear import MAP_REGIMES, JendelMap, MapValues, strip_depths, wear_number
 from damage.wheel_surface import FLANGE, TREAD, LateralGrid, Wheel, WheelSurface, spread
-from hh_exudyn.contact.tangential import THEORIES, field_kernel
+from hh_exudyn.contact.theories import FIELD_THEORIES, THEORIES, field_kernel
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import kernel
 
@@ -83,7 +83,7 @@ def add_states(
     states
         The rows; every patch lies on the grid.
     theory
-        A value of `tangential.THEORIES`.
+        A value of `theories.THEORIES` that has a field.
     shear_modulus, poisson_ratio
         Elastic constants of wheel and rail [Pa], [-].
     wear_map
@@ -181,8 +181,8 @@ def accumulate(
     ValueError
         Unknown theory, bad values in the log, patches beyond the grid, or threads below 1.
     """
-    if theory not in THEORIES:
-        raise ValueError(f"theory = {theory!r}; known theories: {', '.join(THEORIES)}")
+    if theory not in FIELD_THEORIES:
+        raise ValueError(f"theory = {theory!r}; theories with a slip field: {', '.join(FIELD_THEORIES)}")
     if min(cells) < 1:
         raise ValueError(f"cells = {cells} must be at least 1 along and across")
     if threads is None:

@@ -102,7 +102,7 @@ def assess(
     material
         The wheel steel.
     theory
-        Tangential theory, a name of `hh_exudyn.contact.tangential.THEORIES` that has a slip field.
+        Tangential theory, one of `hh_exudyn.contact.theories.FIELD_THEORIES`.
     cells
         Cells of a patch along and across [-].
     wear_map

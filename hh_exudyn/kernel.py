@@ -14,7 +14,7 @@ import os
 import warnings
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import numba
 import numpy as np
@@ -137,6 +137,13 @@ class _BundleType(types.StructRef):
         return tuple((name, types.unliteral(kind)) for name, kind in fields)
 
 
+class _PlainBundle(NamedTuple):
+    """A `Bundle` where kernels run as plain Python."""
+
+    model: Any
+    work: Any
+
+
 class Bundle(structref.StructRefProxy):
     """Two NamedTuples, `model` and `work`, that enter a kernel as one pointer.
 
@@ -146,7 +153,7 @@ class Bundle(structref.StructRefProxy):
     """
 
     def __new__(cls, model: Any, work: Any) -> "Bundle":
-        bundle: Bundle = _new_bundle(model, work)
+        bundle: Any = _PlainBundle(model, work) if numba.config.DISABLE_JIT else _new_bundle(model, work)
         return bundle
 
 

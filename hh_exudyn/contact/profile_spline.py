@@ -67,12 +67,12 @@ def spline_table(profile: Profile, step: float = 0.25e-3, smoothing: float = 0.5
     spline = CubicSpline(nodes, values, bc_type=((1, dense(nodes[0], 1)), (1, dense(nodes[-1], 1))))
     second = spline(nodes, 2)
     if profile.kind == "wheel":
-        return _table(float(nodes[0]), step, values, second)
+        return uniform_table(float(nodes[0]), step, values, second)
     more = math.ceil(_RUN_OUT / step)
     out = step * np.arange(1, more + 1)
     before = values[0] - spline(nodes[0], 1) * out + 0.5 * second[0] * out**2
     beyond = values[-1] + spline(nodes[-1], 1) * out + 0.5 * second[-1] * out**2
-    return _table(
+    return uniform_table(
         float(nodes[0]) - more * step,
         step,
         np.concatenate([before[::-1], values, beyond]),
@@ -80,7 +80,7 @@ def spline_table(profile: Profile, step: float = 0.25e-3, smoothing: float = 0.5
     )
 
 
-def _table(start: float, step: float, z: FloatArray, second: FloatArray) -> SplineTable:
+def uniform_table(start: float, step: float, z: FloatArray, second: FloatArray) -> SplineTable:
     """The table with what follows from heights and second derivatives."""
     slope = np.empty_like(z)
     slope[:-1] = np.diff(z) / step - step / 6.0 * (2.0 * second[:-1] + second[1:])

@@ -156,7 +156,7 @@ def test_touching_without_force_does_nothing(make_log: Callable[..., pyarrow.Tab
 
 
 def test_unknown_theory_and_missing_column(random_log: pyarrow.Table) -> None:
-    with pytest.raises(ValueError, match="theory = 'contact'; known theories: "):
+    with pytest.raises(ValueError, match="theory = 'contact'; theories with a slip field: "):
         assess(random_log, theory="contact")
     with pytest.raises(ValueError, match="no column phi"):
         assess(random_log.drop_columns(["phi"]))

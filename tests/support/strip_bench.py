@@ -6,7 +6,7 @@ from hh_exudyn.contact.hertz import HertzPatch, hertz_patch
 from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.neighbours import find_patches
 from hh_exudyn.contact.non_elliptic import minimum, patch_strips
-from hh_exudyn.contact.profile_spline import _table
+from hh_exudyn.contact.profile_spline import uniform_table
 from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS
 from hh_exudyn.contact.silhouette import WheelRailPair, wheel_rail_pair
 from hh_exudyn.contact.strips import STRIP_COLUMNS
@@ -20,7 +20,7 @@ G, NU = STEEL.shear_modulus, STEEL.poisson_ratio
 def parabola(curvature: float) -> SplineTable:
     """z = curvature y^2 / 2, 60 mm wide."""
     y = np.arange(-120, 121) * 0.25e-3
-    return _table(float(y[0]), 0.25e-3, 0.5 * curvature * y * y, np.full(y.size, curvature))
+    return uniform_table(float(y[0]), 0.25e-3, 0.5 * curvature * y * y, np.full(y.size, curvature))
 
 
 def parabolic_pair(wheel: float, rail: float, approach: float) -> WheelRailPair:
