@@ -7,6 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from hh_exudyn.contact.profile import wheel_profile
+from hh_exudyn.contact.profile_writer import write_profile
+
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 
 
@@ -33,6 +36,19 @@ def test_one_contact() -> None:
         assert forces == sorted(forces)
         assert 0.98 < forces[-1] <= 1.0
     assert all(abs(row[1] - row[2]) < 0.05 for row in rows)
+
+
+def test_profiles_and_conicity(tmp_path: Path) -> None:
+    """The stand-in has the measures of the thesis's Table 1-8; wider gauge lowers conicity; a file is read."""
+    text = run("04_profiles_and_conicity.py")
+    assert text.startswith("WP4_like: Sh 29.08, Sd 26.89, qR 10.07 mm")
+    rows = re.findall(r"^gauge (\d+) mm, (\w+) +([\d.]+) ([\d.]+) ([\d.]+)$", text, re.MULTILINE)
+    conicity = {(gauge, rail): float(at_3_mm) for gauge, rail, _, at_3_mm, _ in rows}
+    rails = ("60E1", "MB1_like", "MB4_like")
+    assert max(rails, key=lambda rail: conicity["1435", rail]) == "60E1"
+    assert max(rails, key=lambda rail: conicity["1445", rail]) == "MB4_like"
+    write_profile(wheel_profile("S1002"), tmp_path / "mine.txt", format="miniprof")
+    assert "Sh 28.00, Sd 32.50" in run("04_profiles_and_conicity.py", tmp_path / "mine.txt")
 
 
 @pytest.fixture(scope="module")
