@@ -15,11 +15,13 @@ import math
 
 import numpy as np
 
-from hh_exudyn.contact.fastsim_march import begin, march_cell, single_stiffness, stiffnesses
+from hh_exudyn.contact.fastsim_march import begin, last_cell, march_cell, single_stiffness, stiffnesses
 from hh_exudyn.contact.hertz import peak_pressure
 from hh_exudyn.contact.kalker import coefficients
 from hh_exudyn.contact.strips import (
     BLOCK,
+    END_X,
+    END_Y,
     FIRST,
     HALF_LENGTH,
     LANES,
@@ -113,7 +115,7 @@ def force(
         groups = load_ellipse(patch, first, count, cells_y, state)
         _prepare(patch, groups, w_x, w_y, spin, elliptic, cells_x, state)
         bounds = 0.0
-        for cell in range(cells_x - 1):  # nothing at the trailing edge itself
+        for cell in range(cells_x - 1):
             node = 1.0 - (cell + 1) * step
             bound = _bound(node, elliptic)
             bounds += bound
@@ -123,6 +125,18 @@ def force(
                     s[SUM_X, g, lane] += s[Q_X, g, lane]
                     s[SUM_Y, g, lane] += s[Q_Y, g, lane]
                     s[SUM_M, g, lane] += node * s[Q_Y, g, lane]
+        last_bound = _bound(step - 1.0, elliptic)
+        last_cell(groups, 0.5 * step - 1.0, last_bound, elliptic, state)
+        if elliptic:  # its mean in the last cell, 2/3 of the last node's value instead of half of it
+            bounds += last_bound / 6.0
+        for g in range(groups):
+            for lane in range(LANES):
+                # the sums over nodes hold half of the last node's traction for the last cell
+                more_x = s[END_X, g, lane] - 0.5 * s[Q_X, g, lane]
+                more_y = s[END_Y, g, lane] - 0.5 * s[Q_Y, g, lane]
+                s[SUM_X, g, lane] += more_x
+                s[SUM_Y, g, lane] += more_y
+                s[SUM_M, g, lane] += (0.5 * step - 1.0) * more_y
         for g in range(groups):
             for lane in range(LANES):
                 y, length, pressure = s[Y, g, lane], s[HALF_LENGTH, g, lane], s[PRESSURE, g, lane]
@@ -148,11 +162,11 @@ def _march_field(
     fields: Fields,
 ) -> None:
     """March a block of strips; fill q with the scaled traction at the cells' trailing nodes, slip_x with 1
-    where these slip, else 0."""
+    where these slip, else 0. The last cell, at the trailing edge, is left to `_fill_rows`."""
     _, q_x, q_y, slip_x, _ = fields
     s = shaped(state, SHAPE)
     step = 2.0 / cells_x
-    for cell in range(cells_x):
+    for cell in range(cells_x - 1):
         i = cells_x - 1 - cell  # from the leading edge
         node = 1.0 - (cell + 1) * step
         march_cell(cell, groups, node + 0.5 * step, _bound(node, elliptic), state)
@@ -160,6 +174,25 @@ def _march_field(
             for lane in range(min(LANES, count - g * LANES)):
                 j = first + g * LANES + lane
                 q_x[j, i], q_y[j, i], slip_x[j, i] = s[Q_X, g, lane], s[Q_Y, g, lane], s[SLIPS, g, lane]
+    last_cell(groups, 0.5 * step - 1.0, _bound(step - 1.0, elliptic), elliptic, state)
+
+
+@kernel
+def _trailing_slip(
+    mean_x: float, mean_y: float, w_x: float, w_y: float, old_x: float, old_y: float
+) -> tuple[float, float, float]:
+    """Slip of a cell in which the traction falls from `old` to zero, all scaled to the cell; its work.
+
+    The work of the traction q on the slip w - dq is that of the mean traction on w, less |old|^2/2. The slip
+    is what does this work with the mean traction: in a cell that sticks at first it is less than the whole
+    slip, which happens where the traction is small already.
+    """
+    rate_x, rate_y = w_x - old_x, w_y - old_y
+    loss = mean_x * w_x + mean_y * w_y - 0.5 * (old_x * old_x + old_y * old_y)
+    product = mean_x * rate_x + mean_y * rate_y
+    slips = (loss < 0.0) & (product < 0.0)  # a cell in which the traction turns round sticks
+    share = loss / (product if slips else 1.0) if slips else 0.0
+    return share * rate_x, share * rate_y, loss if slips else 0.0
 
 
 @kernel
@@ -189,13 +222,25 @@ def _fill_rows(
             unit = peak / (length * step)
             w_x, w_y, spin = s[W_X, g, lane], s[W_Y, g, lane], s[SPIN, g, lane]
             rigid_x, turn = nu_x - phi * s[Y, g, lane], phi * length
-            for c in range(number):
+            inner = 0
+            if start == 0:  # the cell at the trailing edge
+                inner = 1
+                i = np.uint64(1)
+                old_x, old_y = (q_x[j, i], q_y[j, i]) if cells_x > 1 else (0.0, 0.0)
+                xi, mean_x, mean_y = table[_XI, 0], s[END_X, g, lane], s[END_Y, g, lane]
+                rate_x, rate_y, loss = _trailing_slip(mean_x, mean_y, w_x, w_y + spin * xi, old_x, old_y)
+                pressure[j, 0] = height * table[_SHAPE, 0]
+                q_x[j, 0], q_y[j, 0] = peak * mean_x, peak * mean_y
+                slip_x[j, 0], slip_y[j, 0] = unit * rate_x, unit * rate_y
+                work += length * peak * unit * loss
+                power += length * peak * (mean_x * rigid_x + mean_y * (nu_y + turn * xi))
+            for c in range(inner, number):
                 i = np.uint64(start + c)
                 table[_NODE_X, c], table[_NODE_Y, c] = q_x[j, i], q_y[j, i]
             ends = start + number == cells_x  # no traction at the leading edge
             table[_NODE_X, number] = 0.0 if ends else q_x[j, start + number]
             table[_NODE_Y, number] = 0.0 if ends else q_y[j, start + number]
-            for c in range(number):
+            for c in range(inner, number):
                 i = np.uint64(start + c)
                 xi = table[_XI, c]
                 new_x, new_y = table[_NODE_X, c], table[_NODE_Y, c]
@@ -219,10 +264,11 @@ def _fill_rows(
 def field(patch: RollingPatch, single: bool, elliptic: bool, fields: Fields) -> None:
     """Pressure, tractions and slip over the cells; arguments as `force`.
 
-    The traction of a cell is the mean of its nodes'. Slip is (w - dq/dx) times one flexibility for the whole
-    patch, such that friction dissipates exactly the power of the creepages: sum of q.s dA = F_x nu_x +
-    F_y nu_y + M phi. (With Kalker's three flexibilities the slip of stick would not vanish under spin; in
-    steady rolling the elastic part does no net work: the sum of q dq over a strip's nodes telescopes.)
+    The traction of a cell is the mean of its nodes', at the trailing edge that of `last_cell`. Slip is
+    (w - dq/dx) times one flexibility for the whole patch, such that friction dissipates exactly the power of
+    the creepages: sum of q.s dA = F_x nu_x + F_y nu_y + M phi. (With Kalker's three flexibilities the slip of
+    stick would not vanish under spin; in steady rolling the elastic part does no net work: the sum of q dq
+    over a strip's nodes telescopes.)
     """
     cells_y, cells_x = fields.pressure.shape
     w_x, w_y, spin, stiff = _flexible(patch, single)

@@ -26,6 +26,7 @@ STRIP_COLUMNS = 4
 W_X, W_Y, SPIN, Q_X, Q_Y, T_X, T_Y, SLIPS, BOTH_X, BOTH_Y, FIRST = 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14
 SUM_X, SUM_Y, SUM_M = 15, 16, 17  # sums over the cells of a strip
 PART, KAPPA, LAMBDA, PRIME, FULL = 18, 19, 20, 21, 22  # what `fastrip_theory.strip` gives
+END_X, END_Y = 18, 19  # instead of those: mean traction of the last cell in `fastsim`
 ROWS = 23
 
 LANES = 8  # strips of one vector: eight doubles fill the widest registers
