@@ -26,7 +26,7 @@ from damage.rcf import surface_fatigue_index
 from damage.wear import MAP_REGIMES, JendelMap, MapValues, strip_depths, wear_number
 from damage.wheel_surface import FLANGE, TREAD, LateralGrid, Wheel, WheelSurface, spread
 from hh_exudyn.contact.theories import FIELD_THEORIES, THEORIES, field_kernel
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
 from hh_exudyn.kernel import kernel
 
 BLOCK_ROWS = 500  # rows of a block: some milliseconds of work; the sums depend on it in the last digits
@@ -72,7 +72,7 @@ def add_states(
     wear_map: MapValues,
     grid_start: float,
     grid_step: float,
-    fields: FloatArray,
+    fields: Fields,
     strips: FloatArray,
     sums: Sums,
 ) -> None:
@@ -91,13 +91,13 @@ def add_states(
     grid_start, grid_step
         The bins over the profile [m].
     fields
-        (5, ny, nx) work space: pressure, tractions and slip.
+        Work space (ny, nx).
     strips
         (ny, 4) work space: depth of each strip and region of the map.
     sums
         Result.
     """
-    cells_y, cells_x = fields.shape[1], fields.shape[2]
+    cells_y, cells_x = fields.pressure.shape
     for row in range(states.wheel.size):
         if states.normal_force[row] <= 0.0:
             continue  # bodies that touch without force: no pressure, no wear, no fatigue
@@ -113,19 +113,19 @@ def add_states(
         rolled = speed * states.interval[row]
         if rolled <= 0.0:
             continue
-        field_kernel(
-            theory, a, b, states.normal_force[row], states.nu_x[row], states.nu_y[row], states.phi[row],
+        patch = RollingPatch(
+            a, b, states.normal_force[row], states.nu_x[row], states.nu_y[row], states.phi[row],
             states.friction[row], shear_modulus, poisson_ratio,
-            fields[0], fields[1], fields[2], fields[3], fields[4],
         )  # fmt: skip
+        field_kernel(theory, patch, fields)
         revolutions = rolled / (2.0 * math.pi * states.rolling_radius[row])
         width = 2.0 * b / cells_y
         for strip in range(cells_y):
             lateral = -1.0 + (2 * strip + 1) / cells_y
             cell_length = 2.0 * a * math.sqrt(1.0 - lateral * lateral) / cells_x
             strip_depths(
-                fields[0, strip], fields[3, strip], fields[4, strip], cell_length, speed, wear_map,
-                strips[strip],
+                fields.pressure[strip], fields.slip_x[strip], fields.slip_y[strip], cell_length, speed,
+                wear_map, strips[strip],
             )  # fmt: skip
             depth = 0.0
             for regime in range(MAP_REGIMES):
@@ -243,7 +243,7 @@ def _block_sums(
         wear_map.values,
         grid.start,
         grid.step,
-        np.zeros((5, cells[1], cells[0])),
+        Fields(*np.zeros((5, cells[1], cells[0]))),
         np.zeros((cells[1], MAP_REGIMES)),
         sums,
     )

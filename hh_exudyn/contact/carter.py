@@ -19,69 +19,43 @@ C11 G a b, 15 % too small for a/b towards 0, 31 % at a/b = 1, 64 % at a/b = 5.
 
 import math
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.contact.hertz import peak_pressure
+from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
 
 @kernel
-def slip_share(
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    friction: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-) -> tuple[float, float]:
+def slip_share(patch: RollingPatch) -> tuple[float, float]:
     """Share of the length that slips, 1 - d/a of equation 2.19 [-], and 2 (1 - nu) mu p0/G [-].
 
     The share is R |nu_x|/(mu a) of equation 2.21; it exceeds 1 where creepage is more than full slip needs.
     """
-    max_pressure = 1.5 * normal_force / (math.pi * a * b)
-    saturation = 2.0 * (1.0 - poisson_ratio) * friction * max_pressure / shear_modulus
-    return abs(nu_x) / saturation, saturation
+    compliance = 2.0 * (1.0 - patch.poisson_ratio) * patch.friction
+    saturation = compliance * peak_pressure(patch) / patch.shear_modulus
+    return abs(patch.nu_x) / saturation, saturation
 
 
 @kernel
-def force(
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    friction: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-) -> tuple[float, float, float]:
-    """Creep force on the wheel, (F_x, 0, 0); arguments as `tangential.force_kernel`."""
-    share, _ = slip_share(a, b, normal_force, nu_x, friction, shear_modulus, poisson_ratio)
+def force(patch: RollingPatch) -> tuple[float, float, float]:
+    """Creep force on the wheel, (F_x, 0, 0)."""
+    share, _ = slip_share(patch)
     share = min(share, 1.0)
-    return -math.copysign(friction * normal_force * (2.0 - share) * share, nu_x), 0.0, 0.0  # (2.21)
+    size = patch.friction * patch.normal_force * (2.0 - share) * share  # (2.21)
+    return -math.copysign(size, patch.nu_x), 0.0, 0.0
 
 
 @kernel
-def field(
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    friction: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-    pressure: FloatArray,
-    q_x: FloatArray,
-    q_y: FloatArray,
-    slip_x: FloatArray,
-    slip_y: FloatArray,
-) -> None:
-    """Pressure, tractions and slip over the cells; arguments as `tangential.field_kernel`.
+def field(patch: RollingPatch, fields: Fields) -> None:
+    """Pressure, tractions and slip over the cells.
 
     Slip is the creepage less the surface's strain, in closed form; the strain does no net work along a line,
     so friction dissipates F_x nu_x.
     """
+    pressure, q_x, q_y, slip_x, slip_y = fields
     cells_y, cells_x = pressure.shape
-    share, saturation = slip_share(a, b, normal_force, nu_x, friction, shear_modulus, poisson_ratio)
-    max_pressure = 1.5 * normal_force / (math.pi * a * b)
-    sign = math.copysign(1.0, nu_x)
+    share, saturation = slip_share(patch)
+    middle = peak_pressure(patch)
+    sign = math.copysign(1.0, patch.nu_x)
     slips_whole = share >= 1.0
     for i in range(cells_x):
         xi = -1.0 + (2 * i + 1) / cells_x
@@ -97,7 +71,7 @@ def field(
                 traction = ellipse - math.sqrt(max(-gap, 0.0))  # (2.17, 2.18)
         for j in range(cells_y):
             lateral = -1.0 + (2 * j + 1) / cells_y
-            strip_pressure = max_pressure * math.sqrt(1.0 - lateral * lateral)
+            strip_pressure = middle * math.sqrt(1.0 - lateral * lateral)
             pressure[j, i] = strip_pressure * ellipse
-            q_x[j, i], q_y[j, i] = -sign * friction * strip_pressure * traction, 0.0
+            q_x[j, i], q_y[j, i] = -sign * patch.friction * strip_pressure * traction, 0.0
             slip_x[j, i], slip_y[j, i] = sign * slip, 0.0

@@ -58,7 +58,7 @@ from hh_exudyn.contact.strips import (
     load_strips,
     scale_slip,
 )
-from hh_exudyn.contact.types import FloatArray, Memory
+from hh_exudyn.contact.types import Fields, FloatArray, Memory, RollingPatch
 from hh_exudyn.kernel import kernel, memory, shaped
 
 _TINY = 1e-300  # keeps 0/0 from happening; far below every square that occurs [-]
@@ -131,42 +131,18 @@ def _cell_weight(cells_x: int) -> float:
 
 @kernel
 def force_on_strips(
-    strips: FloatArray,
-    count: int,
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    friction: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-    cells_x: int,
+    strips: FloatArray, count: int, patch: RollingPatch, cells_x: int
 ) -> tuple[float, float, float]:
     """Creep forces and spin moment of a patch of any shape (kernel: trusts its input, allocates nothing).
 
     Parameters
     ----------
     strips : ndarray, (n, 4)
-        The patch, see `strips`; its pressure is scaled to carry `normal_force`.
+        The patch, see `strips`; its pressure is scaled to carry the normal force.
     count : int
         Number of rows used.
-    a, b : float
-        Semi-axes of the equivalent ellipse, of the patch's area, in rolling direction and lateral [m]: for
-        Kalker's coefficients, the flexibilities and FASTSIM's parabola only.
-    normal_force : float
-        [N], > 0.
-    nu_x, nu_y : float
-        Longitudinal and lateral creepage at the origin of the contact frame [-].
-    phi : float
-        Spin creepage [1/m].
-    friction : float
-        Friction coefficient [-], > 0.
-    shear_modulus : float
-        [Pa].
-    poisson_ratio : float
-        [-].
+    patch : RollingPatch
+        Load, creepages and the equivalent ellipse.
     cells_x : int
         Cells along each strip.
 
@@ -175,7 +151,7 @@ def force_on_strips(
     tuple of float
         F_x [N], F_y [N], M_z about the origin [N m], on the wheel.
     """
-    rolling = rolling_strips(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
+    rolling = rolling_strips(patch)
     state = memory(STATE_SIZE)
     weight = _cell_weight(cells_x)
     force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
@@ -186,44 +162,30 @@ def force_on_strips(
         force_x, force_y, moment_z, total = force_x + x, force_y + y, moment_z + m, total + load
     if total <= 0.0:
         return 0.0, 0.0, 0.0
-    scale = friction * normal_force / total
+    scale = patch.friction * patch.normal_force / total
     return force_x * scale, force_y * scale, moment_z * scale
 
 
 @kernel
-def force(
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    friction: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-    cells_x: int,
-    cells_y: int,
-) -> tuple[float, float, float]:
-    """Creep forces and spin moment on the wheel; arguments as `tangential.force_kernel`."""
-    rolling = rolling_strips(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
+def force(patch: RollingPatch, cells_x: int, cells_y: int) -> tuple[float, float, float]:
+    """Creep forces and spin moment on the wheel."""
+    rolling = rolling_strips(patch)
     state = memory(STATE_SIZE)
     weight = _cell_weight(cells_x)
-    max_pressure = 1.5 * normal_force / (math.pi * a * b)
     force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
     for first in range(0, cells_y, BLOCK):
         number = min(cells_y - first, BLOCK)
-        groups = load_ellipse(a, b, max_pressure, first, number, cells_y, state)
+        groups = load_ellipse(patch, first, number, cells_y, state)
         x, y, m, load = _block_force(groups, rolling, cells_x, weight, state)
         force_x, force_y, moment_z, total = force_x + x, force_y + y, moment_z + m, total + load
-    scale = friction * normal_force / total
+    scale = patch.friction * patch.normal_force / total
     return force_x * scale, force_y * scale, moment_z * scale
 
 
 @kernel
-def _directions(
-    first: int, count: int, cells_x: int, groups: int, state: Memory, q_x: FloatArray, q_y: FloatArray
-) -> None:
+def _directions(first: int, count: int, cells_x: int, groups: int, state: Memory, fields: Fields) -> None:
     """March a block of strips; where they slip, fill q with directions of traction (of any length)."""
+    q_x, q_y = fields.q_x, fields.q_y
     s = shaped(state, SHAPE)
     step = 2.0 / cells_x
     for cell in range(cells_x):
@@ -239,21 +201,11 @@ def _directions(
 
 @kernel
 def _fill_rows(
-    first: int,
-    count: int,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    friction: float,
-    rolling: Rolling,
-    state: Memory,
-    pressure: FloatArray,
-    q_x: FloatArray,
-    q_y: FloatArray,
-    slip_x: FloatArray,
-    slip_y: FloatArray,
+    patch: RollingPatch, rolling: Rolling, first: int, count: int, state: Memory, fields: Fields
 ) -> tuple[float, float]:
     """Fill the rows of a block, several cells at once; work of slip and power of the creepages [N]."""
+    pressure, q_x, q_y, slip_x, slip_y = fields
+    nu_x, nu_y, phi = patch.nu_x, patch.nu_y, patch.phi
     cells_x = pressure.shape[1]
     s = shaped(state, SHAPE)
     table = shaped(memory(_TABLE_SIZE), (_TABLE_ROWS, _CELLS))
@@ -269,7 +221,7 @@ def _fill_rows(
             length, part = s[HALF_LENGTH, g, lane], s[PART, g, lane]
             peak = s[PRESSURE, g, lane] if length > 0.0 else 0.0
             area = s[WIDTH, g, lane] * length
-            bound = friction * peak
+            bound = patch.friction * peak
             kappa, lambda_, prime = s[KAPPA, g, lane], s[LAMBDA, g, lane], s[PRIME, g, lane]
             strain_x, strain_y = rolling.strain_x * peak, rolling.strain_y * peak
             strain = math.sqrt((strain_x * kappa) ** 2 + (strain_y * prime) ** 2)
@@ -312,65 +264,31 @@ def _fill_rows(
 
 
 @kernel
-def field_on_strips(
-    strips: FloatArray,
-    count: int,
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    friction: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-    pressure: FloatArray,
-    q_x: FloatArray,
-    q_y: FloatArray,
-    slip_x: FloatArray,
-    slip_y: FloatArray,
-) -> None:
+def field_on_strips(strips: FloatArray, count: int, patch: RollingPatch, fields: Fields) -> None:
     """Pressure, tractions and slip in the cells of a patch of any shape (kernel, allocates nothing).
 
-    The arguments up to `poisson_ratio` are those of `force_on_strips`, the arrays those of
-    `tangential.field_kernel`: (>= count, nx), of which the first `count` rows are filled. Cell (j, i) has its
-    centre at x = l_j (-1 + (2 i + 1)/nx) and the area 2 l_j width_j/nx. Empty strips get no pressure.
+    Arguments as `force_on_strips`; of the arrays (>= count, nx) the first `count` rows are filled. Cell
+    (j, i) has its centre at x = l_j (-1 + (2 i + 1)/nx) and the area 2 l_j width_j/nx. Empty strips get no
+    pressure.
     """
-    cells_x = pressure.shape[1]
-    rolling = rolling_strips(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
+    cells_x = fields.pressure.shape[1]
+    rolling = rolling_strips(patch)
     state = memory(STATE_SIZE)
     work, power = 0.0, 0.0
     for first in range(0, count, BLOCK):
         number = min(count - first, BLOCK)
         groups = load_strips(strips, first, number, state)
         prepare(groups, rolling, cells_x, state)
-        _directions(first, number, cells_x, groups, state, q_x, q_y)
-        lost, put_in = _fill_rows(
-            first, number, nu_x, nu_y, phi, friction, rolling, state, pressure, q_x, q_y, slip_x, slip_y
-        )
+        _directions(first, number, cells_x, groups, state, fields)
+        lost, put_in = _fill_rows(patch, rolling, first, number, state, fields)
         work, power = work + lost, power + put_in
     if work < 0.0 and power < 0.0:
-        scale_slip(power / work, slip_x[:count], slip_y[:count])
+        scale_slip(power / work, fields.slip_x[:count], fields.slip_y[:count])
 
 
 @kernel
-def field(
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    friction: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-    pressure: FloatArray,
-    q_x: FloatArray,
-    q_y: FloatArray,
-    slip_x: FloatArray,
-    slip_y: FloatArray,
-) -> None:
-    """Pressure, tractions and slip over the cells; arguments as `tangential.field_kernel`.
+def field(patch: RollingPatch, fields: Fields) -> None:
+    """Pressure, tractions and slip over the cells.
 
     Slip is that of strip theory: rigid slip less the surface's own strain, zero in stick; its direction is
     opposite to the traction. Kalker's coefficients make the two strains differ a little from the rigid slip
@@ -379,19 +297,16 @@ def field(
     of |s| in the five exact fields, in %, with and without the scale, and that of FASTSIM: one creepage
     9.2, 9.2, 48; tread 25, 25, 65; spin 21, 26, 48; lateral creepage and spin 21, 22, 28; flange 14, 14, 23.
     """
-    cells_y, cells_x = pressure.shape
-    rolling = rolling_strips(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
+    cells_y, cells_x = fields.pressure.shape
+    rolling = rolling_strips(patch)
     state = memory(STATE_SIZE)
-    max_pressure = 1.5 * normal_force / (math.pi * a * b)
     work, power = 0.0, 0.0
     for first in range(0, cells_y, BLOCK):
         number = min(cells_y - first, BLOCK)
-        groups = load_ellipse(a, b, max_pressure, first, number, cells_y, state)
+        groups = load_ellipse(patch, first, number, cells_y, state)
         prepare(groups, rolling, cells_x, state)
-        _directions(first, number, cells_x, groups, state, q_x, q_y)
-        lost, put_in = _fill_rows(
-            first, number, nu_x, nu_y, phi, friction, rolling, state, pressure, q_x, q_y, slip_x, slip_y
-        )
+        _directions(first, number, cells_x, groups, state, fields)
+        lost, put_in = _fill_rows(patch, rolling, first, number, state, fields)
         work, power = work + lost, power + put_in
     if work < 0.0 and power < 0.0:
-        scale_slip(power / work, slip_x, slip_y)
+        scale_slip(power / work, fields.slip_x, fields.slip_y)

@@ -10,6 +10,7 @@ import math
 from typing import NamedTuple
 
 from hh_exudyn.contact.fastsim_march import begin, single_stiffness, stiffnesses
+from hh_exudyn.contact.hertz import peak_pressure
 from hh_exudyn.contact.kalker import coefficients
 from hh_exudyn.contact.strips import (
     FIRST,
@@ -27,8 +28,8 @@ from hh_exudyn.contact.strips import (
     W_Y,
     Y,
 )
-from hh_exudyn.contact.types import Memory
-from hh_exudyn.kernel import kernel, shaped
+from hh_exudyn.contact.types import Memory, RollingPatch
+from hh_exudyn.kernel import inlined_kernel, kernel, shaped
 
 _TINY = 1e-300  # keeps 0/0 from happening; far below every square that occurs [-]
 _FADES = 0.5  # where the stick zone begins to give way, 1 being where it breaks Coulomb's law [-]
@@ -52,28 +53,19 @@ class Rolling(NamedTuple):
     strain_y: float
 
 
-@kernel
-def rolling_strips(
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    friction: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-) -> Rolling:
+@inlined_kernel
+def rolling_strips(patch: RollingPatch) -> Rolling:
     """Creepages scaled for strip theory (equation 2.43) and for FASTSIM."""
+    a, b, nu_x, nu_y, phi = patch.a, patch.b, patch.nu_x, patch.nu_y, patch.phi
+    friction, shear_modulus, poisson_ratio = patch.friction, patch.shear_modulus, patch.poisson_ratio
     c11, c22, c23, _ = coefficients(a / b, poisson_ratio)
     half = -0.5 * shear_modulus / friction
     along = half * 4.0 * (1.0 - poisson_ratio) / math.pi**2
     strain = 0.5 * math.pi**2 * friction / shear_modulus
     stiff_x, stiff_y, stiff_phi = stiffnesses(a, b, shear_modulus, c11, c22, c23)
-    stiff = single_stiffness(stiff_x, stiff_y, stiff_phi, nu_x, nu_y, phi, math.sqrt(a * b))
+    stiff = single_stiffness(stiff_x, stiff_y, stiff_phi, patch)
     # the parabola under which the equivalent ellipse carries the load has the height 4/3 p^2/p_max in a strip
-    max_pressure = 1.5 * normal_force / (math.pi * a * b)
-    scale = 0.75 * max_pressure / friction * normal_force / direction_force(a, b, normal_force)
+    scale = 0.75 * peak_pressure(patch) / friction * patch.normal_force / direction_force(patch)
     return Rolling(
         along * c11 * nu_x,
         along * c22 * nu_y,
@@ -127,12 +119,12 @@ def strip(xi: float, eta: float, psi: float, poisson_ratio: float) -> tuple[bool
     return full, part, kappa, 0.0 if full else lambda_prime + psi, lambda_prime
 
 
-@kernel
-def direction_force(a: float, b: float, normal_force: float) -> float:
+@inlined_kernel
+def direction_force(patch: RollingPatch) -> float:
     """Normal force that FASTSIM is run with for the directions [N] (Sichani 2016)."""
-    if a < b:
-        return normal_force * (1.0 + (1.0 - a / b) ** 4)
-    return normal_force
+    if patch.a < patch.b:
+        return patch.normal_force * (1.0 + (1.0 - patch.a / patch.b) ** 4)
+    return patch.normal_force
 
 
 @kernel

@@ -13,6 +13,8 @@ from hh_exudyn.contact.strips import (
     BLOCK,
     BOTH_X,
     BOTH_Y,
+    END_X,
+    END_Y,
     FIRST,
     LANES,
     Q_X,
@@ -29,8 +31,8 @@ from hh_exudyn.contact.strips import (
     W_X,
     W_Y,
 )
-from hh_exudyn.contact.types import Memory
-from hh_exudyn.kernel import kernel, shaped
+from hh_exudyn.contact.types import Memory, RollingPatch
+from hh_exudyn.kernel import inlined_kernel, kernel, shaped
 
 _TINY = 1e-300  # keeps 0/0 from happening
 _MORE_THAN_ONE = 1.0 + 1e-12
@@ -48,12 +50,10 @@ def stiffnesses(
     )
 
 
-@kernel
-def single_stiffness(
-    stiff_x: float, stiff_y: float, stiff_phi: float, nu_x: float, nu_y: float, phi: float, size: float
-) -> float:
-    """1/L of the three flexibilities weighted by the creepages, size = sqrt(a b) [Pa/m]."""
-    spin = size * phi
+@inlined_kernel
+def single_stiffness(stiff_x: float, stiff_y: float, stiff_phi: float, patch: RollingPatch) -> float:
+    """1/L of the three flexibilities weighted by the creepages [Pa/m]."""
+    nu_x, nu_y, spin = patch.nu_x, patch.nu_y, math.sqrt(patch.a * patch.b) * patch.phi
     weighted = abs(nu_x) / stiff_x + abs(nu_y) / stiff_y + abs(spin) / stiff_phi
     if weighted == 0.0:
         return stiff_x
@@ -159,3 +159,48 @@ def march_cell(cell: int, groups: int, xi: float, bound: float, state: Memory) -
                 # where the direction turns right round, the new one counts
                 s[BOTH_X, g, lane] = old_x + _MORE_THAN_ONE * t_x
                 s[BOTH_Y, g, lane] = old_y + _MORE_THAN_ONE * t_y
+
+
+@kernel
+def last_cell(groups: int, xi: float, bound: float, elliptic: bool, state: Memory) -> None:
+    """Mean traction in the cell at the trailing edge (rows `END_X`, `END_Y`); all strips stay at its start.
+
+    The bound falls to zero there, at t = 0..1 along the cell as bound (1 - t) for the parabola and bound
+    sqrt(1 - t) for the ellipse. The traction follows q + d t, with the step d of stick, until it meets the
+    bound at t = m, and then the bound in the direction that it has there. With f = 1/2 or 2/3 for the bound's
+    own mean, the mean is q m + d m^2/2 + f (1 - m) (q + d m): never above the bound's, without jumps in the
+    creepages, and f q where the strip slips already. (A straight line from q to zero would lose half a cell
+    of stick: 1/cells of the force of small creepages.)
+
+    Parameters
+    ----------
+    groups : int
+        In use.
+    xi : float
+        Middle of the cell.
+    bound : float
+        At its leading node.
+    elliptic : bool
+        The bound's shape.
+    state : memory
+        At that node.
+    """
+    s = shaped(state, SHAPE)
+    square = bound * bound
+    share, fall, curve = (2.0 / 3.0, 0.5 * square, 0.0) if elliptic else (0.5, square, square)
+    for g in range(groups):
+        for lane in range(LANES):
+            q_x, q_y = s[Q_X, g, lane], s[Q_Y, g, lane]
+            d_x, d_y = -s[W_X, g, lane], -s[W_Y, g, lane] - s[SPIN, g, lane] * xi
+            # |q + d t|^2 = bound(t)^2, that is bend t^2 + 2 along t = room
+            room = max(square - q_x * q_x - q_y * q_y, 0.0)
+            along = q_x * d_x + q_y * d_y + fall
+            bend = d_x * d_x + d_y * d_y - curve
+            root = math.sqrt(max(along * along + bend * room, 0.0))
+            forward = along > 0.0
+            meets = (room if forward else root - along) / ((along + root if forward else bend) + _TINY)
+            meets = min(max(meets, 0.0), 1.0)
+            follows = share * (1.0 - meets)
+            weight_q, weight_d = meets + follows, meets * (0.5 * meets + follows)
+            s[END_X, g, lane] = weight_q * q_x + weight_d * d_x
+            s[END_Y, g, lane] = weight_q * q_y + weight_d * d_y

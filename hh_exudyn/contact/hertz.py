@@ -19,7 +19,7 @@ from scipy.optimize import brentq
 from scipy.special import elliprd, elliprf
 
 from hh_exudyn.contact.material import STEEL, Material
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.contact.types import FloatArray, RollingPatch
 from hh_exudyn.kernel import inlined_kernel
 
 _LARGEST_RATIO = 1e6  # longer over shorter semi-axis that the exact solution looks for [-]
@@ -146,6 +146,12 @@ def _spline_table() -> tuple[float, float, FloatArray]:
 
 
 _START, _STEP, _COEFFICIENTS = _spline_table()
+
+
+@inlined_kernel
+def peak_pressure(patch: RollingPatch) -> float:
+    """Pressure in the middle of an ellipse [Pa]."""
+    return 1.5 * patch.normal_force / (math.pi * patch.a * patch.b)
 
 
 @inlined_kernel

@@ -9,25 +9,19 @@ could carry.
 import math
 
 from hh_exudyn.contact.kalker import coefficients
+from hh_exudyn.contact.types import RollingPatch
 from hh_exudyn.kernel import kernel
 
 
 @kernel
-def force(
-    a: float,
-    b: float,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-) -> tuple[float, float, float]:
-    """Creep forces and spin moment on the wheel, equation 2.22; arguments as `tangential.force_kernel`."""
-    c11, c22, c23, c33 = coefficients(a / b, poisson_ratio)
+def force(patch: RollingPatch) -> tuple[float, float, float]:
+    """Creep forces and spin moment on the wheel, equation 2.22."""
+    a, b = patch.a, patch.b
+    c11, c22, c23, c33 = coefficients(a / b, patch.poisson_ratio)
     size = math.sqrt(a * b)
-    stiffness = shear_modulus * a * b
+    stiffness = patch.shear_modulus * a * b
     return (
-        -c11 * stiffness * nu_x,
-        -c22 * stiffness * nu_y - c23 * stiffness * size * phi,
-        c23 * stiffness * size * nu_y - c33 * stiffness * a * b * phi,
+        -c11 * stiffness * patch.nu_x,
+        -c22 * stiffness * patch.nu_y - c23 * stiffness * size * patch.phi,
+        c23 * stiffness * size * patch.nu_y - c33 * stiffness * a * b * patch.phi,
     )

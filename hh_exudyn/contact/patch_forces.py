@@ -27,7 +27,7 @@ from hh_exudyn.contact.search import (
 )
 from hh_exudyn.contact.silhouette import WheelRailPair
 from hh_exudyn.contact.tangential import force_kernel
-from hh_exudyn.contact.types import FloatArray, Patch, WheelRailModel
+from hh_exudyn.contact.types import FloatArray, Patch, RollingPatch, WheelRailModel
 from hh_exudyn.kernel import inlined_kernel
 
 CREEPAGE_SPEED_FLOOR = 0.1  # m/s, the least speed that creepages refer to
@@ -104,36 +104,11 @@ def add_patch(
     # Creep forces (equations.md 2.12-2.15 are the small-angle form of these creepages)
     speed = max(velocity[0], CREEPAGE_SPEED_FLOOR)
     nu_x, nu_y, phi = slip_x / speed, slip_y / speed, spin / speed
+    rolling = RollingPatch(a, b, normal, nu_x, nu_y, phi, friction, model.shear_modulus, model.poisson_ratio)
     if model.normal == HERTZ:
-        force_x, force_y, moment_z = force_kernel(
-            model.theory,
-            a,
-            b,
-            normal,
-            nu_x,
-            nu_y,
-            phi,
-            friction,
-            model.shear_modulus,
-            model.poisson_ratio,
-            model.cells_x,
-            model.cells_y,
-        )
+        force_x, force_y, moment_z = force_kernel(model.theory, rolling, model.cells_x, model.cells_y)
     elif friction > 0.0:
-        force_x, force_y, moment_z = force_on_strips(
-            strips,
-            strips.shape[0],
-            a,
-            b,
-            normal,
-            nu_x,
-            nu_y,
-            phi,
-            friction,
-            model.shear_modulus,
-            model.poisson_ratio,
-            model.cells_x,
-        )
+        force_x, force_y, moment_z = force_on_strips(strips, strips.shape[0], rolling, model.cells_x)
     else:
         force_x, force_y, moment_z = 0.0, 0.0, 0.0
 

@@ -20,7 +20,7 @@ from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS, Y_W
 from hh_exudyn.contact.silhouette import WheelRailPair, silhouette, wheel_rail_pair
 from hh_exudyn.contact.strips import HALF_LENGTH, PRESSURE, STRIP_COLUMNS, WIDTH, Y
 from hh_exudyn.contact.tangential import TractionField
-from hh_exudyn.contact.types import FloatArray, WheelRailModel
+from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch, WheelRailModel
 from hh_exudyn.conventions import LEFT
 
 _STEP = 0.25  # of the search for the height, over the approach
@@ -161,16 +161,14 @@ def traction_on_shape(
         raise ValueError(f"cells_x = {cells_x}, allowed 3 .. 1000")
     count = shape.y.size
     along = -1.0 + (2.0 * np.arange(cells_x) + 1.0) / cells_x
-    pressure, q_x, q_y, slip_x, slip_y = (np.zeros((count, cells_x)) for _ in range(5))
-    field_on_strips(
-        shape.strips(), count, shape.a, shape.b, state.normal_force, state.nu_x, state.nu_y, state.phi,
-        state.friction, model.shear_modulus, model.poisson_ratio, pressure, q_x, q_y, slip_x, slip_y,
+    patch = RollingPatch(
+        shape.a, shape.b, state.normal_force, state.nu_x, state.nu_y, state.phi, state.friction,
+        model.shear_modulus, model.poisson_ratio,
     )  # fmt: skip
-    return TractionField(
-        shape.half_length[:, None] * along[None, :],
-        np.repeat(shape.y[:, None], cells_x, axis=1),
-        pressure, q_x, q_y, slip_x, slip_y,
-    )  # fmt: skip
+    fields = Fields(*np.zeros((5, count, cells_x)))
+    field_on_strips(shape.strips(), count, patch, fields)
+    x = shape.half_length[:, None] * along[None, :]
+    return TractionField(x, np.repeat(shape.y[:, None], cells_x, axis=1), *fields)
 
 
 def _solve(model: WheelRailModel, state: State, rows: FloatArray) -> tuple[float, float]:

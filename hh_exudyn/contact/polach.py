@@ -24,42 +24,32 @@ import math
 
 from hh_exudyn.contact.kalker import coefficients
 from hh_exudyn.contact.material import STEEL, Material
+from hh_exudyn.contact.types import RollingPatch
 from hh_exudyn.kernel import kernel
 
 
 @kernel
-def force(
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    friction: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-    k_adhesion: float,
-    k_slip: float,
-) -> tuple[float, float, float]:
-    """Creep forces on the wheel, (F_x, F_y, 0); arguments as `tangential.force_kernel` and `polach_force`."""
-    spin = a * phi
+def force(patch: RollingPatch, k_adhesion: float, k_slip: float) -> tuple[float, float, float]:
+    """Creep forces on the wheel, (F_x, F_y, 0); the factors as in `polach_force`."""
+    a, b, nu_x, nu_y = patch.a, patch.b, patch.nu_x, patch.nu_y
+    spin = a * patch.phi
     at_edge = nu_y + spin if abs(nu_y + spin) > abs(nu_y) else nu_y  # lateral creepage corrected for spin
     total = math.hypot(nu_x, at_edge)
     if total == 0.0:
         return 0.0, 0.0, 0.0
-    c11, c22, c23, _ = coefficients(a / b, poisson_ratio)
-    limit = friction * normal_force
+    c11, c22, c23, _ = coefficients(a / b, patch.poisson_ratio)
+    limit = patch.friction * patch.normal_force
     creepage = math.hypot(nu_x, nu_y)
     along, across = 0.0, 0.0
     if creepage > 0.0:
         stiffness = math.hypot(c11 * nu_x, c22 * nu_y) / creepage
         # gradient of the traction over the gradient of its bound
-        scaled = 0.25 * math.pi * shear_modulus * a * b * stiffness * total / limit
+        scaled = 0.25 * math.pi * patch.shear_modulus * a * b * stiffness * total / limit
         stick = k_adhesion * scaled
         shape = 2.0 / math.pi * (stick / (1.0 + stick * stick) + math.atan(k_slip * scaled))
         along, across = -limit * shape * nu_x / total, -limit * shape * nu_y / total
     widening = 1.0 + 6.3 * (1.0 - math.exp(-a / b))  # of the spin force, for patches of finite length
-    scaled = 8.0 / 3.0 * shear_modulus * b * math.sqrt(a * b) * c23 * abs(at_edge) / (limit * widening)
+    scaled = 8.0 / 3.0 * patch.shear_modulus * b * math.sqrt(a * b) * c23 * abs(at_edge) / (limit * widening)
     square = scaled * scaled
     delta = (square - 1.0) / (square + 1.0)
     # (1 - delta^2)^(3/2)/3 - scaled (delta^3/3 - delta^2/2 + 1/6), without the differences of nearly equal
@@ -131,8 +121,9 @@ def polach_force(
             raise ValueError(f"{name} = {value} {unit}; it must be finite and >= 0 {unit}")
     slip_velocity = math.hypot(nu_x, nu_y) * speed
     falling = (1.0 - friction_ratio) * math.exp(-friction_decrease * slip_velocity) + friction_ratio
-    force_x, force_y, _ = force(
+    patch = RollingPatch(
         float(a), float(b), float(normal_force), float(nu_x), float(nu_y), float(phi), friction * falling,
-        material.shear_modulus, material.poisson_ratio, float(k_adhesion), float(k_slip),
+        material.shear_modulus, material.poisson_ratio,
     )  # fmt: skip
+    force_x, force_y, _ = force(patch, float(k_adhesion), float(k_slip))
     return float(force_x), float(force_y)

@@ -23,17 +23,16 @@ both.
 
 import math
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.contact.hertz import peak_pressure
+from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
 
 @kernel
-def scaled_creepages(
-    a: float, bound: float, nu_x: float, nu_y: float, phi: float, shear_modulus: float, poisson_ratio: float
-) -> tuple[float, float, float]:
-    """xi in the middle strip, eta, psi of equation 2.30 [-]; bound = friction * maximum pressure [Pa]."""
-    half = -0.5 * shear_modulus / bound
-    return half * nu_x, half * (1.0 - poisson_ratio) * nu_y, half * a * phi
+def scaled_creepages(patch: RollingPatch) -> tuple[float, float, float]:
+    """xi in the middle strip, eta, psi of equation 2.30 [-]."""
+    half = -0.5 * patch.shear_modulus / (patch.friction * peak_pressure(patch))
+    return half * patch.nu_x, half * (1.0 - patch.poisson_ratio) * patch.nu_y, half * patch.a * patch.phi
 
 
 @kernel
@@ -80,24 +79,13 @@ def whole_slip(xi: float, eta: float, poisson_ratio: float) -> tuple[float, floa
 
 
 @kernel
-def force(
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    friction: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-    cells_y: int,
-) -> tuple[float, float, float]:
-    """Creep forces and spin moment on the wheel; arguments as `tangential.force_kernel`.
+def force(patch: RollingPatch, cells_y: int) -> tuple[float, float, float]:
+    """Creep forces and spin moment on the wheel.
 
     The semi-ellipses of equation 2.24 are integrated exactly along a strip: only strips are counted.
     """
-    bound = friction * 1.5 * normal_force / (math.pi * a * b)
-    xi_0, eta, psi = scaled_creepages(a, bound, nu_x, nu_y, phi, shear_modulus, poisson_ratio)
+    a, b, poisson_ratio = patch.a, patch.b, patch.poisson_ratio
+    xi_0, eta, psi = scaled_creepages(patch)
     force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
     for j in range(cells_y):
         lateral = -1.0 + (2 * j + 1) / cells_y
@@ -118,39 +106,27 @@ def force(
         force_y += square * strip_y
         moment_z += square * (a * cosine * strip_m - y * strip_x)
         total += square
-    scale = friction * normal_force / total
+    scale = patch.friction * patch.normal_force / total
     return force_x * scale, force_y * scale, moment_z * scale
 
 
 @kernel
-def field(
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    friction: float,
-    shear_modulus: float,
-    poisson_ratio: float,
-    pressure: FloatArray,
-    q_x: FloatArray,
-    q_y: FloatArray,
-    slip_x: FloatArray,
-    slip_y: FloatArray,
-) -> None:
-    """Pressure, tractions and slip over the cells; arguments as `tangential.field_kernel`.
+def field(patch: RollingPatch, fields: Fields) -> None:
+    """Pressure, tractions and slip over the cells.
 
     Slip is the rigid slip less the strain of the strip's surface, in closed form. A semi-ellipse of traction
     strains the surface by -2 (1 - nu)/G q_x x/a and -2/G q_y x/a; in the stick zone that is the rigid slip
     exactly. Slip and traction are opposite within a few degrees only (the theory takes one direction for the
     whole slip zone); where slip would run along the traction, it counts as none.
     """
+    pressure, q_x, q_y, slip_x, slip_y = fields
     cells_y, cells_x = pressure.shape
-    max_pressure = 1.5 * normal_force / (math.pi * a * b)
-    bound = friction * max_pressure
-    xi_0, eta, psi = scaled_creepages(a, bound, nu_x, nu_y, phi, shear_modulus, poisson_ratio)
-    strain_y = 2.0 * bound / shear_modulus
+    a, b, poisson_ratio = patch.a, patch.b, patch.poisson_ratio
+    nu_x, nu_y, phi = patch.nu_x, patch.nu_y, patch.phi
+    middle = peak_pressure(patch)
+    bound = patch.friction * middle
+    xi_0, eta, psi = scaled_creepages(patch)
+    strain_y = 2.0 * bound / patch.shear_modulus
     strain_x = strain_y * (1.0 - poisson_ratio)
     for j in range(cells_y):
         lateral = -1.0 + (2 * j + 1) / cells_y
@@ -179,6 +155,6 @@ def field(
                 traction_y -= lambda_prime * root
             if traction_x * s_x + traction_y * s_y > 0.0:
                 s_x, s_y = 0.0, 0.0
-            pressure[j, i] = max_pressure * ellipse
+            pressure[j, i] = middle * ellipse
             q_x[j, i], q_y[j, i] = bound * traction_x, bound * traction_y
             slip_x[j, i], slip_y[j, i] = s_x, s_y

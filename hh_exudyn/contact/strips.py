@@ -14,8 +14,9 @@ the compiler makes vector instructions of them.
 
 import math
 
-from hh_exudyn.contact.types import FloatArray, Memory
-from hh_exudyn.kernel import kernel, shaped
+from hh_exudyn.contact.hertz import peak_pressure
+from hh_exudyn.contact.types import FloatArray, Memory, RollingPatch
+from hh_exudyn.kernel import inlined_kernel, kernel, shaped
 
 # columns of a strip, and first rows of a block's state
 Y, WIDTH, HALF_LENGTH, PRESSURE = 0, 1, 2, 3
@@ -25,6 +26,7 @@ STRIP_COLUMNS = 4
 W_X, W_Y, SPIN, Q_X, Q_Y, T_X, T_Y, SLIPS, BOTH_X, BOTH_Y, FIRST = 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14
 SUM_X, SUM_Y, SUM_M = 15, 16, 17  # sums over the cells of a strip
 PART, KAPPA, LAMBDA, PRIME, FULL = 18, 19, 20, 21, 22  # what `fastrip_theory.strip` gives
+END_X, END_Y = 18, 19  # instead of those: mean traction of the last cell in `fastsim`
 ROWS = 23
 
 LANES = 8  # strips of one vector: eight doubles fill the widest registers
@@ -34,20 +36,16 @@ SHAPE = (ROWS, GROUPS, LANES)
 STATE_SIZE = ROWS * BLOCK
 
 
-@kernel
-def load_ellipse(
-    a: float, b: float, max_pressure: float, first: int, count: int, total: int, state: Memory
-) -> int:
+@inlined_kernel
+def load_ellipse(patch: RollingPatch, first: int, count: int, total: int, state: Memory) -> int:
     """Put the strips first .. first + count - 1 of an ellipse cut into `total` strips into a block.
 
     Their places are exactly those of the mirrored strips with the sign turned.
 
     Parameters
     ----------
-    a, b : float
-        Semi-axes in rolling direction and lateral [m].
-    max_pressure : float
-        Hertz pressure [Pa].
+    patch : RollingPatch
+        The ellipse.
     first, count, total : int
         First strip and number of strips wanted, number of strips of the whole ellipse.
     state : memory
@@ -59,7 +57,8 @@ def load_ellipse(
         Number of groups in use.
     """
     s = shaped(state, SHAPE)
-    width, inverse = 2.0 * b / total, 1.0 / total
+    middle = peak_pressure(patch)
+    width, inverse = 2.0 * patch.b / total, 1.0 / total
     groups = (count + LANES - 1) // LANES
     for g in range(groups):
         for lane in range(LANES):
@@ -68,10 +67,10 @@ def load_ellipse(
             square = 1.0 - lateral * lateral
             exists = (row < count) & (square > 0.0)
             cosine = math.sqrt(square if exists else 1.0)
-            s[Y, g, lane] = b * lateral
+            s[Y, g, lane] = patch.b * lateral
             s[WIDTH, g, lane] = width if exists else 0.0
-            s[HALF_LENGTH, g, lane] = a * cosine if exists else 0.0
-            s[PRESSURE, g, lane] = max_pressure * cosine
+            s[HALF_LENGTH, g, lane] = patch.a * cosine if exists else 0.0
+            s[PRESSURE, g, lane] = middle * cosine
     return groups
 
 

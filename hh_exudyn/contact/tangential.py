@@ -19,7 +19,7 @@ import numpy as np
 
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.theories import FIELD_THEORIES, THEORIES, field_kernel, force_kernel
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
 
 
 @dataclass(frozen=True)
@@ -72,27 +72,38 @@ def cell_areas(a: float, b: float, ny: int, nx: int) -> FloatArray:
     return np.repeat(areas[:, None], nx, axis=1)
 
 
-def _checked(
-    theory: str,
-    lengths: dict[str, float],
-    creepages: dict[str, float],
-    cells: tuple[int, int],
-) -> int:
+def _rolling_patch(
+    a: float,
+    b: float,
+    normal_force: float,
+    nu_x: float,
+    nu_y: float,
+    phi: float,
+    friction: float,
+    material: Material,
+) -> RollingPatch:
+    """The patch as kernels take it: floats only, of one type whatever the numbers were given as."""
+    numbers = (a, b, normal_force, nu_x, nu_y, phi, friction, material.shear_modulus, material.poisson_ratio)
+    return RollingPatch._make(float(number) for number in numbers)
+
+
+def _checked(theory: str, patch: RollingPatch, cells: tuple[int, int]) -> int:
     """The theory's number; ValueError for anything out of range."""
     if theory not in THEORIES:
         raise ValueError(f"theory = {theory!r}; known theories: {', '.join(THEORIES)}")
-    units = {"a": "m", "b": "m", "normal_force": "N", "friction": "-"}
-    for name, value in lengths.items():
+    for name, unit in (("a", "m"), ("b", "m"), ("normal_force", "N"), ("friction", "-")):
+        value = getattr(patch, name)
         if not (math.isfinite(value) and value >= 0.0):
-            raise ValueError(f"{name} = {value} {units[name]}; it must be finite and >= 0 {units[name]}")
-    if lengths["normal_force"] > 0.0 and min(lengths["a"], lengths["b"]) == 0.0:
+            raise ValueError(f"{name} = {value} {unit}; it must be finite and >= 0 {unit}")
+    if patch.normal_force > 0.0 and min(patch.a, patch.b) == 0.0:
         raise ValueError(
-            f"a = {lengths['a']} m, b = {lengths['b']} m; both must be > 0 m under a normal force of "
-            f"{lengths['normal_force']} N"
+            f"a = {patch.a} m, b = {patch.b} m; both must be > 0 m under a normal force of "
+            f"{patch.normal_force} N"
         )
-    for name, value in creepages.items():
+    for name, unit in (("nu_x", "[-]"), ("nu_y", "[-]"), ("phi", "1/m")):
+        value = getattr(patch, name)
         if not math.isfinite(value):
-            raise ValueError(f"{name} = {value} {'1/m' if name == 'phi' else '[-]'}; it must be finite")
+            raise ValueError(f"{name} = {value} {unit}; it must be finite")
     if len(cells) != 2 or any(int(n) != n or n < 1 for n in cells):
         raise ValueError(f"cells = {cells}; two whole numbers >= 1 are needed, along x and across y")
     return THEORIES[theory]
@@ -141,18 +152,9 @@ def creep_force(
     ValueError
         For an unknown theory or an argument out of range.
     """
-    a, b, normal_force, friction = float(a), float(b), float(normal_force), float(friction)
-    nu_x, nu_y, phi = float(nu_x), float(nu_y), float(phi)
-    number = _checked(
-        theory,
-        {"a": a, "b": b, "normal_force": normal_force, "friction": friction},
-        {"nu_x": nu_x, "nu_y": nu_y, "phi": phi},
-        cells,
-    )
-    x, y, moment = force_kernel(
-        number, a, b, normal_force, nu_x, nu_y, phi, friction,
-        material.shear_modulus, material.poisson_ratio, int(cells[0]), int(cells[1]),
-    )  # fmt: skip
+    patch = _rolling_patch(a, b, normal_force, nu_x, nu_y, phi, friction, material)
+    number = _checked(theory, patch, cells)
+    x, y, moment = force_kernel(number, patch, int(cells[0]), int(cells[1]))
     return CreepForce(float(x), float(y), float(moment))
 
 
@@ -186,22 +188,13 @@ def traction_field(
             f"theory = {theory!r} gives forces only, no stress field; theories with one: "
             f"{', '.join(FIELD_THEORIES)}"
         )
-    a, b, normal_force, friction = float(a), float(b), float(normal_force), float(friction)
-    nu_x, nu_y, phi = float(nu_x), float(nu_y), float(phi)
-    number = _checked(
-        theory,
-        {"a": a, "b": b, "normal_force": normal_force, "friction": friction},
-        {"nu_x": nu_x, "nu_y": nu_y, "phi": phi},
-        cells,
-    )
+    patch = _rolling_patch(a, b, normal_force, nu_x, nu_y, phi, friction, material)
+    number = _checked(theory, patch, cells)
     nx, ny = int(cells[0]), int(cells[1])
     lateral = -1.0 + (2.0 * np.arange(ny) + 1.0) / ny
     along = -1.0 + (2.0 * np.arange(nx) + 1.0) / nx
-    x = a * np.sqrt(1.0 - lateral**2)[:, None] * along[None, :]
-    y = np.repeat(b * lateral[:, None], nx, axis=1)
-    pressure, q_x, q_y, slip_x, slip_y = (np.zeros((ny, nx)) for _ in range(5))
-    field_kernel(
-        number, a, b, normal_force, nu_x, nu_y, phi, friction,
-        material.shear_modulus, material.poisson_ratio, pressure, q_x, q_y, slip_x, slip_y,
-    )  # fmt: skip
-    return TractionField(x, y, pressure, q_x, q_y, slip_x, slip_y)
+    x = patch.a * np.sqrt(1.0 - lateral**2)[:, None] * along[None, :]
+    y = np.repeat(patch.b * lateral[:, None], nx, axis=1)
+    fields = Fields(*np.zeros((5, ny, nx)))
+    field_kernel(number, patch, fields)
+    return TractionField(x, y, *fields)

@@ -53,6 +53,33 @@ class WheelRailModel(NamedTuple):
     cells_y: int
 
 
+class RollingPatch(NamedTuple):
+    """An elliptic patch in steady rolling: what every tangential theory takes.
+
+    Of a patch that is no ellipse, the equivalent one (of its area): for Kalker's coefficients only.
+    """
+
+    a: float  # semi-axis in rolling direction [m], > 0
+    b: float  # lateral semi-axis [m], > 0
+    normal_force: float  # [N], > 0
+    nu_x: float  # longitudinal creepage of the wheel relative to the rail, at the frame's origin [-]
+    nu_y: float  # lateral creepage [-]
+    phi: float  # spin creepage [1/m]
+    friction: float  # friction coefficient [-], > 0
+    shear_modulus: float  # of both bodies [Pa]
+    poisson_ratio: float  # [-]
+
+
+class Fields(NamedTuple):
+    """Stress and slip over a patch, arrays (ny, nx) on the grid of `tangential`; kernels overwrite them."""
+
+    pressure: FloatArray  # the theory's own [Pa]
+    q_x: FloatArray  # traction on the wheel [Pa]
+    q_y: FloatArray
+    slip_x: FloatArray  # slip velocity of the wheel relative to the rail over the speed [-]
+    slip_y: FloatArray
+
+
 class Patch(IntEnum):
     """Columns of one contact state, as the kernels write it. Frame C, forces on the wheel, SI units."""
 

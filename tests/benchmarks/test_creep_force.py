@@ -19,49 +19,47 @@ from hh_exudyn.contact.hertz import normal_contact
 from hh_exudyn.contact.kalker import coefficients
 from hh_exudyn.contact.strips import HALF_LENGTH, PRESSURE, STRIP_COLUMNS, WIDTH, Y
 from hh_exudyn.contact.theories import FASTRIP, FASTSIM, field_kernel, force_kernel
-from hh_exudyn.contact.types import FloatArray
-from hh_exudyn.kernel import kernel
+from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
+from hh_exudyn.kernel import inlined_kernel, kernel
 
 CALLS = 1000
 
 
+# given at run time and another in every call, so that the compiler can work out nothing beforehand
+PATCH = RollingPatch(5e-3, 4e-3, 1e5, 1e-3, 1e-3, 0.15, 0.3, 82e9, 0.28)
+
+
+@inlined_kernel
+def another(patch: RollingPatch, i: int) -> RollingPatch:
+    a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio = patch
+    change = 1e-6 * (i & 1023)
+    return RollingPatch(
+        a + change, b, normal_force, nu_x + change, nu_y, phi, friction, shear_modulus, poisson_ratio
+    )
+
+
 @kernel
-def many_forces(theory: int, cells: int, calls: int) -> float:
+def many_forces(theory: int, patch: RollingPatch, cells: int, calls: int) -> float:
     total = 0.0
     for i in range(calls):
-        nu_x = 1e-3 + 1e-6 * (i & 1023)
-        x, y, m = force_kernel(theory, 5e-3, 4e-3, 1e5, nu_x, 1e-3, 0.15, 0.3, 82e9, 0.28, cells, cells)
+        x, y, m = force_kernel(theory, another(patch, i), cells, cells)
         total += x + y + m
     return total
 
 
 @kernel
-def many_forces_on_strips(strips: FloatArray, cells: int, calls: int) -> float:
+def many_forces_on_strips(strips: FloatArray, patch: RollingPatch, cells: int, calls: int) -> float:
     total = 0.0
     for i in range(calls):
-        nu_x = 1e-3 + 1e-6 * (i & 1023)
-        x, y, m = fastrip.force_on_strips(
-            strips, len(strips), 5e-3, 4e-3, 1e5, nu_x, 1e-3, 0.15, 0.3, 82e9, 0.28, cells
-        )
+        x, y, m = fastrip.force_on_strips(strips, len(strips), another(patch, i), cells)
         total += x + y + m
     return total
 
 
 @kernel
-def many_fields(
-    theory: int,
-    calls: int,
-    pressure: FloatArray,
-    q_x: FloatArray,
-    q_y: FloatArray,
-    slip_x: FloatArray,
-    slip_y: FloatArray,
-) -> None:
+def many_fields(theory: int, patch: RollingPatch, fields: Fields, calls: int) -> None:
     for i in range(calls):
-        nu_x = 1e-3 + 1e-5 * (i & 1023)
-        field_kernel(
-            theory, 5e-3, 4e-3, 1e5, nu_x, 1e-3, 0.15, 0.3, 82e9, 0.28, pressure, q_x, q_y, slip_x, slip_y
-        )
+        field_kernel(theory, another(patch, i), fields)
 
 
 @kernel
@@ -86,8 +84,8 @@ def many_coefficients(calls: int) -> float:
 @pytest.mark.parametrize("theory", [FASTRIP, FASTSIM])
 def test_force(benchmark: Callable[..., Any], theory: int, cells: int) -> None:
     """A thousand creep forces."""
-    many_forces(theory, cells, 1)
-    assert np.isfinite(benchmark(many_forces, theory, cells, CALLS))
+    many_forces(theory, PATCH, cells, 1)
+    assert np.isfinite(benchmark(many_forces, theory, PATCH, cells, CALLS))
 
 
 @pytest.mark.parametrize("cells", [11, 20, 50])
@@ -98,8 +96,8 @@ def test_force_on_strips(benchmark: Callable[..., Any], cells: int) -> None:
     strips[:, Y], strips[:, WIDTH] = 4e-3 * lateral, 8e-3 / cells
     strips[:, HALF_LENGTH] = 5e-3 * np.sqrt(1.0 - lateral**2)
     strips[:, PRESSURE] = 2.387e9 * np.sqrt(1.0 - lateral**2)
-    many_forces_on_strips(strips, cells, 1)
-    assert np.isfinite(benchmark(many_forces_on_strips, strips, cells, CALLS))
+    many_forces_on_strips(strips, PATCH, cells, 1)
+    assert np.isfinite(benchmark(many_forces_on_strips, strips, PATCH, cells, CALLS))
 
 
 def test_normal_contact(benchmark: Callable[..., Any]) -> None:
@@ -117,7 +115,7 @@ def test_coefficients(benchmark: Callable[..., Any]) -> None:
 @pytest.mark.parametrize("theory", [FASTRIP, FASTSIM])
 def test_field(benchmark: Callable[..., Any], theory: int) -> None:
     """A hundred fields of 50 x 50 cells."""
-    arrays = [np.zeros((50, 50)) for _ in range(5)]
-    many_fields(theory, 1, *arrays)
-    benchmark(many_fields, theory, 100, *arrays)
-    assert np.isfinite(arrays[1]).all()
+    fields = Fields(*np.zeros((5, 50, 50)))
+    many_fields(theory, PATCH, fields, 1)
+    benchmark(many_fields, theory, PATCH, fields, 100)
+    assert np.isfinite(fields.q_x).all()

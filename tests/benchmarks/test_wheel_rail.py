@@ -20,6 +20,7 @@ from hh_exudyn.contact.types import (
     PATCH_COLUMNS,
     FloatArray,
     Patch,
+    RollingPatch,
     SplineTable,
     WheelRailModel,
 )
@@ -102,7 +103,8 @@ def many_forces(
     total = 0.0
     for i in range(calls):
         slip = nu_x * (1.0 + 1e-6 * (i & 1023))
-        x, y, m = force_kernel(FASTRIP, a, b, normal, slip, nu_y, phi, friction, 82e9, 0.28, 20, 20)
+        patch = RollingPatch(a, b, normal, slip, nu_y, phi, friction, 82e9, 0.28)
+        x, y, m = force_kernel(FASTRIP, patch, 20, 20)
         total += x + y + m
     return total
 

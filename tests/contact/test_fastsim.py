@@ -12,6 +12,7 @@ from hh_exudyn.contact.kalker import kalker_coefficients
 from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.tangential import cell_areas, creep_force, traction_field
 
+VARIANTS = ("fastsim", "fastsim_single", "fastsim_elliptic")
 REFERENCE = Path(__file__).parents[2] / "hh_exudyn" / "data" / "validation" / "creep_forces.csv"
 
 
@@ -111,18 +112,59 @@ def test_kalker_1982(
     assert scaled(*creepage, 60) == pytest.approx(fine, abs=0.002)
 
 
-@pytest.mark.parametrize("ratio", [0.2, 1.0, 5.0])
-def test_the_slopes_at_zero_creepage_are_kalkers(ratio: float) -> None:
+def slope_errors(theory: str, ratio: float, cells: tuple[int, int]) -> list[float]:
+    """Slopes at zero creepage over Kalker's, less 1: longitudinal, lateral, spin's lateral force."""
     a, b = 5e-3 * math.sqrt(ratio), 5e-3 / math.sqrt(ratio)
     c11, c22, c23, _ = kalker_coefficients(ratio, STEEL.poisson_ratio)
     stiff, small = STEEL.shear_modulus * a * b, 1e-7
-    fixed = {"friction": 0.3, "cells": (200, 200)}
-    slope_x = creep_force("fastsim", a, b, 1e5, small, 0.0, 0.0, **fixed).x / small
-    slope_y = creep_force("fastsim", a, b, 1e5, 0.0, small, 0.0, **fixed).y / small
-    slope_phi = creep_force("fastsim", a, b, 1e5, 0.0, 0.0, small, **fixed).y / small
-    assert slope_x == pytest.approx(-c11 * stiff, rel=0.01)
-    assert slope_y == pytest.approx(-c22 * stiff, rel=0.01)
-    assert slope_phi == pytest.approx(-c23 * stiff * math.sqrt(a * b), rel=0.01)
+    slope_x = creep_force(theory, a, b, 1e5, small, 0.0, 0.0, 0.3, cells=cells).x / small
+    slope_y = creep_force(theory, a, b, 1e5, 0.0, small, 0.0, 0.3, cells=cells).y / small
+    slope_phi = creep_force(theory, a, b, 1e5, 0.0, 0.0, small, 0.3, cells=cells).y / small
+    wanted = (c11 * stiff, c22 * stiff, c23 * stiff * math.sqrt(a * b))
+    return [
+        -slope / kalker - 1.0 for slope, kalker in zip((slope_x, slope_y, slope_phi), wanted, strict=True)
+    ]
+
+
+@pytest.mark.parametrize("theory", VARIANTS)
+@pytest.mark.parametrize("ratio", [0.2, 1.0, 5.0])
+def test_the_slopes_at_zero_creepage_are_kalkers(theory: str, ratio: float) -> None:
+    assert slope_errors(theory, ratio, (20, 20)) == pytest.approx([0.0] * 3, abs=0.01)
+    assert slope_errors(theory, ratio, (200, 200)) == pytest.approx([0.0] * 3, abs=5e-4)
+
+
+@pytest.mark.parametrize(("theory", "order"), [("fastsim", 2.0), ("fastsim_elliptic", 1.5)])
+def test_the_slopes_converge(theory: str, order: float) -> None:
+    """The last cell costs no order; the elliptic bound's root at the leading edge does."""
+    coarse, fine = (slope_errors(theory, 1.0, (cells, 300))[0] for cells in (30, 60))
+    assert math.log2(coarse / fine) == pytest.approx(order, abs=0.1)
+
+
+@pytest.mark.parametrize("theory", VARIANTS)
+def test_the_field_carries_the_force_of_small_creepage(theory: str) -> None:
+    """Where all cells stick, the last one too: the traction grows to the trailing edge."""
+    a, b, creepage = 5e-3, 4e-3, (1e-7, -2e-7, 3e-5)
+    field = traction_field(theory, a, b, 1e5, *creepage, 0.3, cells=(40, 40))
+    force = creep_force(theory, a, b, 1e5, *creepage, 0.3, cells=(40, 40))
+    areas = cell_areas(a, b, 40, 40)
+    assert np.sum(field.q_x * areas) == pytest.approx(force.x, rel=5e-3)
+    assert np.sum(field.q_y * areas) == pytest.approx(force.y, rel=5e-3)
+    assert np.all(np.diff(np.abs(field.q_x), axis=1) < 0.0)
+
+
+@pytest.mark.parametrize("theory", VARIANTS)
+def test_the_last_cell_makes_no_jump(theory: str) -> None:
+    """Creepages from stick of the last cell to its full slip: small steps of the force, Coulomb's law."""
+    last = None
+    for share in np.linspace(0.0, 1.0, 200):
+        creepage = (1e-3 * share, -1.5e-3 * share, 0.6 - 1.2 * share)
+        force = creep_force(theory, 5e-3, 4e-3, 1e5, *creepage, 0.3, cells=(8, 6))
+        now = np.array([force.x, force.y]) / 3e4
+        assert math.hypot(*now) <= 1.0
+        assert last is None or np.abs(now - last).max() < 0.02
+        last = now
+    field = traction_field(theory, 5e-3, 4e-3, 1e5, 4e-4, -2e-4, 0.3, 0.3, cells=(8, 6))
+    assert np.all(np.hypot(field.q_x, field.q_y) <= 0.3 * field.pressure)
 
 
 def test_the_forces_are_those_of_another_fastsim() -> None:
@@ -137,10 +179,11 @@ def test_the_forces_are_those_of_another_fastsim() -> None:
         assert found.moment / (unit * math.sqrt(a * b)) == pytest.approx(other[2], abs=0.01), case["id"]
 
 
-def test_friction_dissipates_the_power_of_the_creepages() -> None:
+@pytest.mark.parametrize("theory", VARIANTS)
+def test_friction_dissipates_the_power_of_the_creepages(theory: str) -> None:
     for case in cases()[::7]:
         a, b, _, nu_x, nu_y, phi, _ = arguments(case)
-        field = traction_field("fastsim", *arguments(case), cells=(31, 30))
+        field = traction_field(theory, *arguments(case), cells=(31, 30))
         areas = cell_areas(a, b, 30, 31)
         force_x, force_y = np.sum(field.q_x * areas), np.sum(field.q_y * areas)
         moment = np.sum((field.x * field.q_y - field.y * field.q_x) * areas)

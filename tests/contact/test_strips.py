@@ -10,6 +10,7 @@ from hh_exudyn.contact import fastrip
 from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.strips import HALF_LENGTH, PRESSURE, STRIP_COLUMNS, WIDTH, Y
 from hh_exudyn.contact.tangential import creep_force, traction_field
+from hh_exudyn.contact.types import Fields, RollingPatch
 
 A, B, N, MU = 4e-3, 7e-3, 1e5, 0.3
 P_MAX = 1.5 * N / (math.pi * A * B)
@@ -20,7 +21,11 @@ CREEPAGES = [
     (0.0, 0.0, 2.5),
     (-4e-3, 6e-3, 3.0),
 ]
-STEEL_VALUES = (STEEL.shear_modulus, STEEL.poisson_ratio)
+
+
+def rolling(creepage: tuple[float, float, float]) -> RollingPatch:
+    """The patch in rolling."""
+    return RollingPatch(A, B, N, *creepage, MU, STEEL.shear_modulus, STEEL.poisson_ratio)
 
 
 def ellipse(count: int) -> NDArray[np.float64]:
@@ -34,9 +39,7 @@ def ellipse(count: int) -> NDArray[np.float64]:
 
 
 def force(strips: NDArray[np.float64], creepage: tuple[float, float, float], cells: int = 30) -> np.ndarray:
-    return np.array(
-        fastrip.force_on_strips(strips, len(strips), A, B, N, *creepage, MU, *STEEL_VALUES, cells)
-    )
+    return np.array(fastrip.force_on_strips(strips, len(strips), rolling(creepage), cells))
 
 
 @pytest.mark.parametrize("creepage", CREEPAGES)
@@ -48,10 +51,9 @@ def test_an_ellipse_as_strips_is_the_ellipse(creepage: tuple[float, float, float
         [exact.x, exact.y, exact.moment], rel=1e-12, abs=1e-12 * MU * N
     )
     exact_field = traction_field("fastrip", A, B, N, *creepage, MU, cells=(30, count))
-    names = ("pressure", "q_x", "q_y", "slip_x", "slip_y")
-    arrays = [np.full((count + 1, 30), 7.0) for _ in names]  # one row more than needed, which stays
-    fastrip.field_on_strips(strips, count, A, B, N, *creepage, MU, *STEEL_VALUES, *arrays)
-    for name, array in zip(names, arrays, strict=True):
+    fields = Fields(*np.full((5, count + 1, 30), 7.0))  # one row more than needed, which stays
+    fastrip.field_on_strips(strips, count, rolling(creepage), fields)
+    for name, array in fields._asdict().items():
         wanted = getattr(exact_field, name)
         assert array[:count] == pytest.approx(wanted, rel=1e-12, abs=1e-12 * abs(wanted).max()), name
         assert np.all(array[count:] == 7.0)
@@ -65,12 +67,11 @@ def test_empty_strips_change_nothing(creepage: tuple[float, float, float]) -> No
     padded[rows] = strips
     padded[5, Y], padded[5, WIDTH] = 1e-3, 1e-3
     assert force(padded, creepage) == pytest.approx(force(strips, creepage), rel=1e-12, abs=1e-12 * MU * N)
-    arrays = [np.full((29, 12), np.nan) for _ in range(5)]
-    fastrip.field_on_strips(padded, 29, A, B, N, *creepage, MU, *STEEL_VALUES, *arrays)
-    for array in arrays:
-        assert np.all(np.isfinite(array))
-    assert not arrays[0][5].any()
-    assert not arrays[1][5].any()
+    fields = Fields(*np.full((5, 29, 12), np.nan))
+    fastrip.field_on_strips(padded, 29, rolling(creepage), fields)
+    assert np.all(np.isfinite(fields))
+    assert not fields.pressure[5].any()
+    assert not fields.q_x[5].any()
     assert not np.any(force(np.zeros((5, STRIP_COLUMNS)), creepage))
 
 
@@ -102,9 +103,10 @@ def test_two_halves_of_a_strip_are_the_strip(creepage: tuple[float, float, float
 def test_a_strip_that_carries_more_slips_less() -> None:
     """A patch of two humps: full slip in the light one, stick in the heavy one; Coulomb holds in both."""
     strips = np.array([[-6e-3, 2e-3, 2e-3, 2e8], [6e-3, 2e-3, 5e-3, 1.5e9]])
-    arrays = [np.zeros((2, 40)) for _ in range(5)]
-    fastrip.field_on_strips(strips, 2, 4e-3, 2e-3, 2.5e4, 2e-3, 0.0, 0.0, MU, *STEEL_VALUES, *arrays)
-    pressure, q_x, q_y, slip_x, slip_y = arrays
+    fields = Fields(*np.zeros((5, 2, 40)))
+    patch = rolling((2e-3, 0.0, 0.0))._replace(a=4e-3, b=2e-3, normal_force=2.5e4)
+    fastrip.field_on_strips(strips, 2, patch, fields)
+    pressure, q_x, q_y, slip_x, slip_y = fields
     assert pressure.max(axis=1) == pytest.approx([2e8, 1.5e9], rel=1e-3)
     assert np.hypot(q_x, q_y)[0] == pytest.approx(MU * pressure[0], rel=1e-12)
     assert np.all(np.hypot(q_x, q_y) <= MU * pressure * (1.0 + 1e-9))

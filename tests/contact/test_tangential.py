@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.tangential import cell_areas, creep_force, traction_field
 from hh_exudyn.contact.theories import FIELD_THEORIES, THEORIES, field_kernel, force_kernel
+from hh_exudyn.contact.types import Fields, RollingPatch
 
 A, B, N, MU = 7.5e-3, 2.9e-3, 142668.0, 0.37
 SATURATING = [name for name in THEORIES if name != "linear"]
@@ -162,10 +163,10 @@ def test_without_friction_the_patch_slips_rigidly(theory: str) -> None:
 def test_an_unknown_theory_names_the_known_ones() -> None:
     with pytest.raises(ValueError, match="carter, linear, strip, fastsim"):
         creep_force("vermeulen", A, B, N, 0.0, 0.0, 0.0, MU)
-    assert all(math.isnan(value) for value in force_kernel(99, A, B, N, 1e-3, 0.0, 0.0, MU, 82e9, 0.28, 5, 5))
-    arrays = [np.zeros((3, 4)) for _ in range(5)]
-    field_kernel(99, A, B, N, 1e-3, 0.0, 0.0, MU, 82e9, 0.28, *arrays)
-    assert all(np.all(np.isnan(array)) for array in arrays)
+    patch, fields = RollingPatch(A, B, N, 1e-3, 0.0, 0.0, MU, 82e9, 0.28), Fields(*np.zeros((5, 3, 4)))
+    assert all(math.isnan(value) for value in force_kernel(99, patch, 5, 5))
+    field_kernel(99, patch, fields)
+    assert np.all(np.isnan(fields))
 
 
 @pytest.mark.parametrize(
