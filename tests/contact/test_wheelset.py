@@ -14,6 +14,7 @@ the row y = 0 at 60 kN: 31 % too low there.
 
 import csv
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -209,6 +210,20 @@ def test_patch_of_a_state_is_found_again(normal: str, rail: Profile, solve: Solv
             limit = 0.3 * state.normal_force
             assert (field.q_x * area).sum() == pytest.approx(state.force_x, abs=0.01 * limit)
             assert (field.q_y * area).sum() == pytest.approx(state.force_y, abs=0.01 * limit)
+
+
+@pytest.mark.parametrize("normal", ["analyn", "kik_piotrowski"])
+def test_a_patch_of_other_profiles_is_not_taken_for_that_of_the_state(
+    normal: str, rail: Profile, solve: Solve
+) -> None:
+    wheel = wheel_profile("S1002")
+    state = solve(4, normal).contacts[0]
+    model = wheel_rail_model(wheel, wheel, rail, rail, nominal_radius=R0, normal=normal)
+    assert patch_shape(model, state).b == pytest.approx(state.b, rel=0.01)
+    for name in ("a", "b"):
+        other = replace(state, **{name: 2.0 * getattr(state, name)})
+        with pytest.raises(ValueError, match=f"in the state {name} = "):
+            patch_shape(model, other)
 
 
 def test_bad_input() -> None:
