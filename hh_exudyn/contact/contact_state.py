@@ -138,5 +138,5 @@ def from_log_row(row: Mapping[str, Any]) -> ContactState:
         value = row[field.name]
         if not (isinstance(value, Real) and math.isfinite(value)):
             raise ValueError(f"row of a contact log: {field.name} = {value}, allowed a finite number")
-        values[field.name] = int(value) if field.name == "side" else float(value)
+        values[field.name] = round(float(value)) if field.name == "side" else float(value)
     return ContactState(**values)

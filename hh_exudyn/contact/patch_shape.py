@@ -135,8 +135,9 @@ def patch_shape(model: WheelRailModel, state: State, strips: int = 50) -> PatchS
         for name, found, logged in (("a", a, state.a), ("b", b, state.b)):
             if not logged / _ALIKE <= found <= logged * _ALIKE:
                 raise ValueError(
-                    f"the patch at y_wheel = {state.y_wheel:.5f} m with approach = {state.approach:.3g} m has "
-                    f"{name} = {found:.3g} m between these profiles, in the state {name} = {logged:.3g} m"
+                    f"the patch at y_wheel = {state.y_wheel:.5f} m with approach = {state.approach:.3g} m "
+                    f"has {name} = {found:.3g} m between these profiles, but in the state {name} = "
+                    f"{logged:.3g} m"
                 )
     if rows[0, Y] > rows[-1, Y]:
         rows = rows[::-1]

@@ -222,7 +222,7 @@ def test_a_patch_of_other_profiles_is_not_taken_for_that_of_the_state(
     assert patch_shape(model, state).b == pytest.approx(state.b, rel=0.01)
     for name in ("a", "b"):
         other = replace(state, **{name: 2.0 * getattr(state, name)})
-        with pytest.raises(ValueError, match=f"in the state {name} = "):
+        with pytest.raises(ValueError, match=f"but in the state {name} = "):
             patch_shape(model, other)
 
 
@@ -241,11 +241,20 @@ def test_bad_input() -> None:
         ({"normal": "hertzian"}, "kik_piotrowski"),
         ({"normal": "analyn", "theory": "fastsim"}, "'fastrip'"),
         ({"lateral": -0.09}, "no height between"),  # beside the rail
+        ({"cells": (20.5, 20)}, "two whole numbers"),
+        ({"cells": (20, 20, 20)}, "two whole numbers"),
     ):
         with pytest.raises(ValueError, match=message):
             wheel_on_rail(wheel, rail, LEFT, **(good | bad))
     with pytest.raises(ValueError, match="side = 0"):
         wheel_on_rail(wheel, rail, 0, **good)
     del good["roll"]
+    one, two = (
+        wheelset_equilibrium(wheel, rail, wheel, rail, **(good | {"load": load}))
+        for load in ((9e4, 1.1e5), [9e4, 1.1e5])
+    )
+    assert one == two
+    with pytest.raises(ValueError, match="one number or two"):
+        wheelset_equilibrium(wheel, rail, wheel, rail, **(good | {"load": (1e5, 1e5, 1e5)}))
     with pytest.raises(ValueError, match="load of the right wheel"):
         wheelset_equilibrium(wheel, rail, wheel, rail, **(good | {"load": (1e5, -1.0)}))
