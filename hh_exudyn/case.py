@@ -29,9 +29,13 @@ from hh_exudyn.case_tables import (
 )
 from hh_exudyn.contact.profile import Profile, read_wheel_profile, wheel_profile
 from hh_exudyn.contact.profile_measures import flange_thickness
+from hh_exudyn.contact.types import WheelRailModel
+from hh_exudyn.contact.wheel_rail import wheel_rail_model
 from hh_exudyn.conventions import BACK_TO_BACK
 from track.alignment import Alignment
 from vehicles.catalogue import VEHICLES
+from vehicles.catalogue import vehicle as vehicle_by_name
+from vehicles.description import Vehicle
 
 __all__ = [
     "Case",
@@ -128,6 +132,36 @@ class Case(CaseTable):
     def alignment(self) -> Alignment:
         """The track's alignment in SI."""
         return Alignment(tuple(section.section() for section in self.track.sections))
+
+    def contact_model(self, vehicle: Vehicle | None = None) -> WheelRailModel:
+        """The contact of every wheel of the run, for the run and for whoever solves logged patches again.
+
+        Parameters
+        ----------
+        vehicle : Vehicle or None
+            Whose wheel radius counts; None: the case's own vehicle.
+
+        Raises
+        ------
+        ValueError
+            The wheels of the vehicle differ in radius.
+        """
+        vehicle = vehicle or vehicle_by_name(self.vehicle)
+        radii = {wheelset.radius for wheelset in vehicle.wheelsets}
+        if len(radii) > 1:
+            raise ValueError(f"vehicle {vehicle.name}: wheel radii {sorted(radii)} m must be equal")
+        rails = self.track.rails
+        return wheel_rail_model(
+            self.wheel,
+            self.wheel,
+            rails.left_profile(),
+            rails.right_profile(),
+            nominal_radius=radii.pop(),
+            damping=self.contact.damping_s_per_m,
+            normal=self.contact.normal,
+            theory=self.contact.theory,
+            cells=self.contact.cells,
+        )
 
     def mirrored(self) -> "Case":
         """The same case with left and right exchanged."""

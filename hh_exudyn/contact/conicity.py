@@ -76,8 +76,8 @@ def conicity_from_radius_difference(
     _check_table(y, dr)
     _check_range("radius", radius, 0.1, 2.0)
     _check_range("tape_distance", tape_distance, 0.3, 3.0)
-    if not (np.isfinite(waves).all() and (waves > 0.0).all()):
-        raise ValueError(f"amplitudes = {waves} m: every amplitude must be positive [m]")
+    if waves.ndim != 1 or not (np.isfinite(waves).all() and (waves > 0.0).all()):
+        raise ValueError(f"amplitudes = {waves.tolist()} m: (m,) numbers, every amplitude must be positive")
     potential = _potential(y, dr)
     result = np.full(len(waves), math.nan)
     for k, amplitude in enumerate(waves):

@@ -1,6 +1,10 @@
 """One contact patch as people handle it, named as the columns of the contact log."""
 
-from dataclasses import dataclass
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from numbers import Real
+from typing import Any
 
 from hh_exudyn.contact.types import FloatArray, Patch
 
@@ -111,3 +115,28 @@ def contact_state(
         approach=float(row[Patch.APPROACH]),
         roll=roll,
     )
+
+
+def from_log_row(row: Mapping[str, Any]) -> ContactState:
+    """The patch of one row of a contact log.
+
+    Parameters
+    ----------
+    row : Mapping
+        Column name to value, as `pyarrow.Table.to_pylist` gives it; columns that a patch has not are left
+        out.
+
+    Raises
+    ------
+    ValueError
+        A column is missing, or its value is no finite number.
+    """
+    values: dict[str, Any] = {}
+    for field in fields(ContactState):
+        if field.name not in row:
+            raise ValueError(f"row of a contact log: column {field.name} is missing")
+        value = row[field.name]
+        if not (isinstance(value, Real) and math.isfinite(value)):
+            raise ValueError(f"row of a contact log: {field.name} = {value}, allowed a finite number")
+        values[field.name] = round(float(value)) if field.name == "side" else float(value)
+    return ContactState(**values)

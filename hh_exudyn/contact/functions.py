@@ -113,8 +113,10 @@ def equivalent_conicity(
         A profile of the wrong kind or a number out of its range.
     """
     waves = np.atleast_1d(np.asarray(amplitudes, dtype=np.float64))
-    if not (np.isfinite(waves).all() and (waves > 0.0).all() and (waves <= 0.02).all()):
-        raise ValueError(f"amplitudes = {waves} m, allowed above 0 .. 0.02 m")
+    if waves.ndim != 1 or not ((waves > 0.0) & (waves <= 0.02)).all():
+        raise ValueError(f"amplitudes = {waves.tolist()} m, allowed (m,) numbers above 0 .. 0.02 m")
+    if not waves.size:
+        return waves
     # Motions of unlike wheels or rails lie off the middle: half as far again as the amplitude, and 2 mm
     reach = min(MAX_LATERAL, 1.5 * float(waves.max()) + 2e-3)
     steps = math.ceil(reach / CONICITY_STEP)

@@ -26,6 +26,7 @@ from hh_exudyn.conventions import LEFT
 _STEP = 0.25  # of the search for the height, over the approach
 _STEPS = 40
 _TOLERANCE = 1e-13  # m, of the height
+_ALIKE = 1.5  # of the semi-axes, whatever the number of strips
 
 
 class State(Protocol):
@@ -112,7 +113,8 @@ def patch_shape(model: WheelRailModel, state: State, strips: int = 50) -> PatchS
     Raises
     ------
     ValueError
-        A number out of its range, or profiles between which there is no such contact.
+        A number out of its range, or profiles between which there is no such contact. The least patches of a
+        run, of a few newtons beside a large one, may have none.
     """
     if not 3 <= strips <= 1000:
         raise ValueError(f"strips = {strips}, allowed 3 .. 1000")
@@ -129,6 +131,14 @@ def patch_shape(model: WheelRailModel, state: State, strips: int = 50) -> PatchS
         rows[:, PRESSURE] = state.p_max * np.sqrt(1.0 - lateral**2)
     else:
         a, b = _solve(model, state, rows)
+        # not so where other profiles were in the run, or its strips belong to a patch beside it
+        for name, found, logged in (("a", a, state.a), ("b", b, state.b)):
+            if not logged / _ALIKE <= found <= logged * _ALIKE:
+                raise ValueError(
+                    f"the patch at y_wheel = {state.y_wheel:.5f} m with approach = {state.approach:.3g} m "
+                    f"has {name} = {found:.3g} m between these profiles, but in the state {name} = "
+                    f"{logged:.3g} m"
+                )
     if rows[0, Y] > rows[-1, Y]:
         rows = rows[::-1]
     shape = PatchShape(rows[:, Y], rows[:, WIDTH], rows[:, HALF_LENGTH], rows[:, PRESSURE], a, b)

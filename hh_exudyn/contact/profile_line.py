@@ -13,6 +13,7 @@ MIN_POINTS = 20
 _WHEEL_FIELD_SIDE = -0.020  # m
 _WHEEL_FLANGE_DEPTH = -0.024  # m
 _WHEEL_FIELD_DEPTH = -0.010  # m, what a hollow tread could reach; a rail or a mirrored wheel falls lower
+_FARTHEST = 2.0  # m from the origin, wherever a rail's file has it
 _RAIL_COVER = 0.055  # m from the gauge point to the field side: 19 mm beyond the axis of a 60E1
 
 
@@ -33,9 +34,9 @@ class Profile:
     Raises
     ------
     ValueError
-        Where a number is not finite, y does not increase, there are fewer than 20 points, or the profile
-        does not cover what contact needs (wheel: from y = -20 mm to a flange at least 24 mm high; rail:
-        the gauge point 14 mm below its top and 55 mm from there to the field side).
+        Where a number is not finite or in millimetres, y does not increase, there are fewer than 20 points,
+        or the profile does not cover what contact needs (wheel: from y = -20 mm to a flange at least 24 mm
+        high; rail: the gauge point 14 mm below its top and 55 mm from there to the field side).
     """
 
     name: str
@@ -80,7 +81,7 @@ def _gauge_crossing(y: FloatArray, z: FloatArray) -> float:
 
 
 def check_points(what: str, unit: str, lines: list[int], y: FloatArray, z: FloatArray) -> None:
-    """Number of points, finite values, increasing y; `unit` and `lines` say where in the message."""
+    """Number of points, finite values in metres, increasing y; `unit` and `lines` say where."""
     if y.ndim != 1 or y.shape != z.shape:
         raise ValueError(
             f"{what}: y and z must be one-dimensional and equally long, got {y.shape}, {z.shape}"
@@ -91,6 +92,13 @@ def check_points(what: str, unit: str, lines: list[int], y: FloatArray, z: Float
     if wrong.any():
         at = int(np.argmax(wrong))
         raise ValueError(f"{what}, {unit} {lines[at]}: not a finite number (y = {y[at]}, z = {z[at]})")
+    far = np.maximum(np.abs(y), np.abs(z)) > _FARTHEST
+    if far.any():
+        at = int(np.argmax(far))
+        raise ValueError(
+            f"{what}, {unit} {lines[at]}: y = {y[at]:g} m, z = {z[at]:g} m, allowed up to {_FARTHEST:g} m; "
+            "are these millimetres?"
+        )
     back = np.diff(y) <= 0
     if back.any():
         at = int(np.argmax(back)) + 1

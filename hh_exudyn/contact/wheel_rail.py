@@ -87,6 +87,8 @@ def wheel_rail_model(
             raise ValueError(
                 f"{label}: profile {profile.name!r} is of kind {profile.kind!r}, needed: {kind!r}"
             )
+    if len(cells) != 2 or any(int(count) != count for count in cells if math.isfinite(count)):
+        raise ValueError(f"cells = {cells}, allowed two whole numbers, 3 .. 200 each")
     for label, value, low, high, unit in (
         ("nominal_radius", nominal_radius, 0.2, 1.0, "m"),
         ("back_to_back", back_to_back, 0.5, 2.0, "m"),

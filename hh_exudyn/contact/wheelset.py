@@ -11,7 +11,7 @@ right-hand rotations about them.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -169,7 +169,7 @@ def wheelset_equilibrium(
     *,
     lateral: float,
     yaw: float,
-    load: float | tuple[float, float],
+    load: float | Sequence[float],
     gauge: float = NOMINAL_GAUGE,
     radius: float,
     back_to_back: float = BACK_TO_BACK,
@@ -187,7 +187,7 @@ def wheelset_equilibrium(
     ----------
     wheel_left, rail_left, wheel_right, rail_right : Profile
         The rails include their inclination.
-    load : float or tuple of float
+    load : float or sequence of float
         Axle load, of which each wheel carries half, or the vertical forces of the left and right wheel on
         their rails [N], 1 .. 1e6 each.
     lateral, yaw, gauge, radius, back_to_back, speed, pitch_rate, friction, normal, theory, material, cells
@@ -203,7 +203,10 @@ def wheelset_equilibrium(
         As `wheel_on_rail`; also where no roll within 80 mrad brings both wheels to the same height.
     """
     pose = _checked_pose(lateral, yaw, gauge, speed, pitch_rate, friction)
-    loads = load if isinstance(load, tuple) else (0.5 * load, 0.5 * load)
+    given = np.asarray(load, dtype=np.float64)
+    if given.shape not in ((), (2,)):
+        raise ValueError(f"load = {load} N, allowed one number or two, of the left and the right wheel")
+    loads = [float(given[0]), float(given[1])] if given.ndim else [0.5 * float(given)] * 2
     for name, value in zip(("load of the left wheel", "load of the right wheel"), loads, strict=True):
         _check(name, value, 1.0, 1e6, "N")
     model = wheel_rail_model(

@@ -14,9 +14,7 @@ from exudyn.itemInterface import (
 )
 
 from hh_exudyn.case import Case
-from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.types import FloatArray
-from hh_exudyn.contact.wheel_rail import wheel_rail_model
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
     PARAMETERS,
@@ -46,30 +44,15 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
     alignment = case.alignment()
     _require_straight_start(vehicle, alignment)
     numbers = {body.name: i for i, body in enumerate(vehicle.bodies)}
-    rails = case.track.rails
     flexible = case.track.flexible
     # rigid track keeps a parameter set that nothing reads: the kernel's types stay the same
     flexibility = track_flexibility(case.track.flexibility if flexible else "concrete")
-    radii = {wheelset.radius for wheelset in vehicle.wheelsets}
-    if len(radii) > 1:
-        raise ValueError(f"vehicle {vehicle.name}: wheel radii {sorted(radii)} m must be equal")
     return SystemModel(
         mass=np.array([body.mass for body in vehicle.bodies]),
         inertia=np.array([body.inertia for body in vehicle.bodies]),
         couplings=_couplings(vehicle, numbers),
         wheelsets=np.array([numbers[wheelset.body] for wheelset in vehicle.wheelsets]),
-        wheel_rail=wheel_rail_model(
-            case.wheel,
-            case.wheel,
-            rails.left_profile(),
-            rails.right_profile(),
-            nominal_radius=radii.pop(),
-            material=STEEL,
-            damping=case.contact.damping_s_per_m,
-            normal=case.contact.normal,
-            theory=case.contact.theory,
-            cells=case.contact.cells,
-        ),
+        wheel_rail=case.contact_model(vehicle),
         friction=np.full((len(vehicle.wheelsets), 2), case.friction),
         alignment=alignment.table,
         flexible=flexible,

@@ -329,6 +329,9 @@ def test_bad_input_is_named() -> None:
         rolling_radius_difference(wheel, rail, wheel, rail, lateral=np.array([3.0]), **track)
     with pytest.raises(ValueError, match="amplitudes"):
         equivalent_conicity(wheel, rail, wheel, rail, amplitudes=np.array([3.0]), **track)
+    with pytest.raises(ValueError, match=r"amplitudes = .*\(m,\) numbers"):
+        equivalent_conicity(wheel, rail, wheel, rail, amplitudes=np.full((2, 2), 3e-3), **track)
+    assert equivalent_conicity(wheel, rail, wheel, rail, amplitudes=np.array([]), **track).size == 0
     with pytest.raises(ValueError, match="side = 0"):
         contact_functions(wheel, rail, lateral=here, radius=0.46, side=0)
     with pytest.raises(ValueError, match="roll"):
@@ -340,6 +343,10 @@ def test_bad_input_is_named() -> None:
         conicity_from_radius_difference(table, table, radius=0.46, tape_distance=1.5, amplitudes=here + 1e-3)
     with pytest.raises(ValueError, match="positive"):
         conicity_from_radius_difference(table[:2], table[:2], radius=0.46, tape_distance=1.5, amplitudes=here)
+    with pytest.raises(ValueError, match=r"\(m,\) numbers"):
+        conicity_from_radius_difference(
+            table[:2], table[:2], radius=0.46, tape_distance=1.5, amplitudes=np.full((1, 1), 1e-3)
+        )
     short = wheelset_functions(
         wheel, rail, wheel, rail, lateral=np.linspace(-1e-3, 1e-3, 5), radius_left=0.46, radius_right=0.46
     )

@@ -208,6 +208,12 @@ def test_readers_refuse(tmp_path: Path) -> None:
             Profile("cut", profile.kind, profile.y[keep], profile.z[keep])
 
 
+def test_profile_in_millimetres_is_refused() -> None:
+    for profile in (wheel_profile("S1002"), rail_profile("60E1")):
+        with pytest.raises(ValueError, match="are these millimetres"):
+            Profile("mm", profile.kind, profile.y / MM, profile.z / MM)
+
+
 def test_unknown_names_list_the_known() -> None:
     with pytest.raises(ValueError, match="S1002"):
         wheel_profile("S1003")

@@ -14,6 +14,7 @@ the row y = 0 at 60 kN: 31 % too low there.
 
 import csv
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -211,6 +212,20 @@ def test_patch_of_a_state_is_found_again(normal: str, rail: Profile, solve: Solv
             assert (field.q_y * area).sum() == pytest.approx(state.force_y, abs=0.01 * limit)
 
 
+@pytest.mark.parametrize("normal", ["analyn", "kik_piotrowski"])
+def test_a_patch_of_other_profiles_is_not_taken_for_that_of_the_state(
+    normal: str, rail: Profile, solve: Solve
+) -> None:
+    wheel = wheel_profile("S1002")
+    state = solve(4, normal).contacts[0]
+    model = wheel_rail_model(wheel, wheel, rail, rail, nominal_radius=R0, normal=normal)
+    assert patch_shape(model, state).b == pytest.approx(state.b, rel=0.01)
+    for name in ("a", "b"):
+        other = replace(state, **{name: 2.0 * getattr(state, name)})
+        with pytest.raises(ValueError, match=f"but in the state {name} = "):
+            patch_shape(model, other)
+
+
 def test_bad_input() -> None:
     wheel, rail = wheel_profile("S1002"), rail_profile("60E1")
     good: dict[str, Any] = {
@@ -226,11 +241,20 @@ def test_bad_input() -> None:
         ({"normal": "hertzian"}, "kik_piotrowski"),
         ({"normal": "analyn", "theory": "fastsim"}, "'fastrip'"),
         ({"lateral": -0.09}, "no height between"),  # beside the rail
+        ({"cells": (20.5, 20)}, "two whole numbers"),
+        ({"cells": (20, 20, 20)}, "two whole numbers"),
     ):
         with pytest.raises(ValueError, match=message):
             wheel_on_rail(wheel, rail, LEFT, **(good | bad))
     with pytest.raises(ValueError, match="side = 0"):
         wheel_on_rail(wheel, rail, 0, **good)
     del good["roll"]
+    one, two = (
+        wheelset_equilibrium(wheel, rail, wheel, rail, **(good | {"load": load}))
+        for load in ((9e4, 1.1e5), [9e4, 1.1e5])
+    )
+    assert one == two
+    with pytest.raises(ValueError, match="one number or two"):
+        wheelset_equilibrium(wheel, rail, wheel, rail, **(good | {"load": (1e5, 1e5, 1e5)}))
     with pytest.raises(ValueError, match="load of the right wheel"):
         wheelset_equilibrium(wheel, rail, wheel, rail, **(good | {"load": (1e5, -1.0)}))
