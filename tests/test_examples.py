@@ -39,7 +39,7 @@ def test_one_contact() -> None:
 
 
 def test_profiles_and_conicity(tmp_path: Path) -> None:
-    """The stand-in has the measures of the thesis's Table 1-8; wider gauge lowers conicity; a file is read."""
+    """The stand-in's measures, the rail of highest conicity at either gauge, and a file of one's own."""
     text = run("04_profiles_and_conicity.py")
     assert text.startswith("WP4_like: Sh 29.08, Sd 26.89, qR 10.07 mm")
     rows = re.findall(r"^gauge (\d+) mm, (\w+) +([\d.]+) ([\d.]+) ([\d.]+)$", text, re.MULTILINE)
