@@ -22,6 +22,9 @@ from hh_exudyn.contact.theories import FIELD_THEORIES, THEORIES, field_kernel, f
 from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
 
 
+_MOST_CELLS = 2000  # each way: more than any stress field needs, and still a second
+
+
 @dataclass(frozen=True)
 class CreepForce:
     """Creep force on the wheel.
@@ -104,8 +107,10 @@ def _checked(theory: str, patch: RollingPatch, cells: tuple[int, int]) -> int:
         value = getattr(patch, name)
         if not math.isfinite(value):
             raise ValueError(f"{name} = {value} {unit}; it must be finite")
-    if len(cells) != 2 or any(int(n) != n or n < 1 for n in cells):
-        raise ValueError(f"cells = {cells}; two whole numbers >= 1 are needed, along x and across y")
+    if len(cells) != 2 or any(not 1 <= n <= _MOST_CELLS or int(n) != n for n in cells):
+        raise ValueError(
+            f"cells = {cells}; two whole numbers from 1 to {_MOST_CELLS} are needed, along x and across y"
+        )
     return THEORIES[theory]
 
 

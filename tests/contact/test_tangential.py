@@ -179,6 +179,8 @@ def test_an_unknown_theory_names_the_known_ones() -> None:
         ({"nu_x": math.nan}, "nu_x"),
         ({"phi": math.inf}, "phi"),
         ({"cells": (0, 5)}, "cells"),
+        ({"cells": (20, 10**9)}, "from 1 to 2000"),
+        ({"cells": (math.inf, 20)}, "cells"),
     ],
 )
 def test_bad_input_is_named(change: dict[str, object], name: str) -> None:
