@@ -21,7 +21,6 @@ from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.theories import FIELD_THEORIES, THEORIES, field_kernel, force_kernel
 from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
 
-
 _MOST_CELLS = 2000  # each way: more than any stress field needs, and still a second
 
 
