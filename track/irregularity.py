@@ -198,15 +198,15 @@ class Irregularity:
             return
         _check("frequency", frequency, (0.1, 1000.0), "Hz")
         wanted = speed / frequency
+        if self.shortest is not None and shortest > wanted * (1.0 + 1e-9):
+            raise ValueError(
+                f"the shortest wavelength is {shortest:g} m, which at {speed:g} m/s is {speed / shortest:g} "
+                f"Hz: {frequency:g} Hz need {wanted:g} m"
+            )
         if held > wanted * (1.0 + 1e-9):
             raise ValueError(
                 f"step is {self.step:g} m, too coarse for {frequency:g} Hz at {speed:g} m/s: allowed is up "
                 f"to {wanted / POINTS_PER_WAVELENGTH:g} m"
-            )
-        if shortest > wanted * (1.0 + 1e-9):
-            raise ValueError(
-                f"the shortest wavelength is {shortest:g} m, which at {speed:g} m/s is {speed / shortest:g} "
-                f"Hz: {frequency:g} Hz need {wanted:g} m"
             )
 
 

@@ -1,11 +1,12 @@
 """Measured irregularities from a CSV file: position [m], then level, alignment, gauge, cross-level [mm].
 
 Columns are separated by commas, semicolons, tabs or blanks; decimals have a point. ``#`` starts a comment.
-A header line may name the columns (``position, level, alignment, gauge, cross_level``, with or without ``_m``,
-``_mm``, ``[m]``, ``[mm]``), then they may stand in any order; without it they stand in this one. Signs are
-those of `track.irregularity`; `signs` turns those of a car that has others. Gauge is the deviation from nominal.
+A header line may name the columns (``position, level, alignment, gauge, cross_level``, with or without
+``_m``, ``_mm``, ``[m]``, ``[mm]``), then they may stand in any order; without it they stand in this one.
+Signs are those of `track.irregularity`; `signs` turns those of a car that has others. Gauge is the deviation
+from nominal.
 
-Nothing is repaired: gaps, missing values, other units and uneven spacing are errors that name line and column.
+Nothing is repaired: gaps, missing values, other units and uneven spacing are errors that say where.
 """
 
 import re
@@ -160,8 +161,8 @@ def _check_positions(path: Path, lines: list[int], position: FloatArray) -> None
     if gaps.size:
         i = int(gaps[0])
         raise ValueError(
-            f"{path}, line {lines[i + 1]}, column position: a gap of {steps[i]:.6g} m after {position[i]:.10g} "
-            f"m (the spacing is {spacing:g} m; {gaps.size} such in the file)"
+            f"{path}, line {lines[i + 1]}, column position: a gap of {steps[i]:.6g} m after "
+            f"{position[i]:.10g} m (the spacing is {spacing:g} m; {gaps.size} such in the file)"
         )
     uneven = np.flatnonzero(np.abs(steps - spacing) > _UNEVEN * spacing)
     if uneven.size:

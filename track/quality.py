@@ -96,7 +96,7 @@ class TrackQuality:
         return {str(name): _shares(self.classes[names == name]) for name in dict.fromkeys(groups)}
 
     def unmet(self) -> tuple[str, ...]:
-        """Classes whose share is not what UIC 518 recommends: QN1 > 50 %, QN2 < 40 %, QN3 < 10 %, none above."""
+        """Classes whose share is not as UIC 518 recommends: QN1 > 50 %, QN2 < 40 %, QN3 < 10 %, no worse."""
         share = self.distribution()
         met = {
             "QN1": share["QN1"] > 0.5,
@@ -156,7 +156,7 @@ def track_quality(track: Irregularity, speed: float, section_length: float = SEC
     edges = np.ceil(section_length * np.arange(count + 1) / track.step - 1e-9).astype(int)
     both = np.column_stack([filtered.signal("level"), filtered.signal("alignment")])
     deviations: FloatArray = np.array([both[edges[i] : edges[i + 1]].std(axis=0) for i in range(count)])
-    start = track.start + section_length * np.arange(count)
+    start = track.start + section_length * np.arange(count, dtype=float)
     return TrackQuality(start, section_length, deviations, quality_class(deviations, speed))
 
 
