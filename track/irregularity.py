@@ -24,8 +24,8 @@ recording cars give and UIC 518 judges). At 60 km/h 3 m is a frequency of 5.6 Hz
 asks for wavelengths down to 0.8 m. The standard deviation over the whole length is that of the spectrum,
 whatever the seed; it repeats after `length`. The phases come straight from the bits of PCG64, whose stream
 numpy guarantees, so a seed means the same track on every machine (to rounding). Another sampling step samples
-the same track, another length is another track, and spectra of one form differ by scale alone: "erri_low" and
-"erri_high" of one seed and length have their waves in the same places.
+the same track, another length is another track, and "erri_low" and "erri_high" of one seed and length have
+their waves in the same places, since these spectra differ by scale alone.
 """
 
 import math
