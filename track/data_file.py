@@ -1,7 +1,8 @@
 """Data files read strictly: every key named, every number in its range, every table with its source.
 
-A data file is TOML with units in the names of its keys (``share_percent``, ``radius_m``). Each table says in
-``source`` how its numbers are known: the text starts with one of `KINDS`, so that a user can list the guesses.
+A data file is TOML with units in the names of its keys (``share_percent``, ``radius_m``). Each table says
+in ``source`` how its numbers are known: the text starts with one of `KINDS`, so that a user can list the
+guesses.
 A fault is a ValueError of one line with file, key, value, unit and what is allowed.
 """
 
@@ -80,7 +81,9 @@ class DataTable:
         """A table of numbers under names that are the user's own."""
         inner = DataTable(self._get(name, "a table of numbers"), self.file, self.key(name))
         if not inner.entries:
-            raise self.error(f"{inner.place} is empty: allowed one or more names with {low:g} to {high:g} {unit}")
+            raise self.error(
+                f"{inner.place} is empty: allowed one or more names with {low:g} to {high:g} {unit}"
+            )
         return {key: inner.number(key, unit, low, high) for key in inner.entries}
 
     def text(self, name: str, allowed: tuple[str, ...] = ()) -> str:
@@ -118,12 +121,6 @@ class DataTable:
                 near = difflib.get_close_matches(name, self._asked, n=1)
                 hint = f"did you mean {near[0]}?" if near else f"known keys: {', '.join(sorted(self._asked))}"
                 raise self.error(f"unknown key {self.key(name)}; {hint}")
-
-
-def data_names() -> tuple[str, ...]:
-    """Names of the files in ``track/data``, without their ending."""
-    folder = files("track") / "data"
-    return tuple(sorted(Path(x.name).stem for x in folder.iterdir() if x.name.endswith(".toml")))
 
 
 def read_data(path: Path | Traversable) -> DataTable:

@@ -14,7 +14,7 @@ The numbers of climates, treatments and falling characteristics stand with their
 
 import functools
 import math
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import NamedTuple, Self
 
@@ -189,7 +189,7 @@ class Friction:
                 )
 
     @classmethod
-    def everywhere(cls, zones: Zones, falling: Falling = Falling()) -> Self:  # noqa: B008 - frozen
+    def everywhere(cls, zones: Zones, falling: Falling = Falling()) -> Self:
         """The same zones along the whole track, left and right."""
         return cls((FrictionSection(0.0, zones, zones),), falling)
 
@@ -240,7 +240,7 @@ _Named = dict[str, tuple[dict[str, float], str]]  # name: numbers, source
 
 _KEYS = {  # kind: keys that a table may have, with unit and range
     "climate": {"friction": ("[-]", *_FRICTION)},
-    "treatment": {name: ("[-]", *_FRICTION) for name in ZONES},
+    "treatment": dict.fromkeys(ZONES, ("[-]", *_FRICTION)),
     "falling": {"ratio": ("[-]", 0.0, 1.0), "decrease_s_per_m": ("s/m", 0.0, 10.0)},
 }
 

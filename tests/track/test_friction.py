@@ -90,7 +90,9 @@ def test_falling_friction_is_polachs() -> None:
         built_in = polach_force(
             6e-3, 5e-3, 1.4e5, nu_x, nu_y, 0.1, 0.55, friction_ratio=0.4, friction_decrease=0.6, speed=15.0
         )
-        assert polach_force(6e-3, 5e-3, 1.4e5, nu_x, nu_y, 0.1, friction) == pytest.approx(built_in, rel=1e-12)
+        assert polach_force(6e-3, 5e-3, 1.4e5, nu_x, nu_y, 0.1, friction) == pytest.approx(
+            built_in, rel=1e-12
+        )
 
 
 def test_climates_span_the_range_of_the_thesis() -> None:
@@ -121,7 +123,9 @@ def test_every_number_has_a_source() -> None:
 
 
 def test_bad_input_says_what_is_wrong() -> None:
-    with pytest.raises(ValueError, match=r"climate 'arctic' is not known, there are: very_humid, humid, .*cold_dry"):
+    with pytest.raises(
+        ValueError, match=r"climate 'arctic' is not known, there are: very_humid, humid, .*cold_dry"
+    ):
         climate("arctic")
     with pytest.raises(ValueError, match="treatment 'sand' is not known, there are: top_of_rail, flange_lub"):
         climate("dry").treated("sand")
