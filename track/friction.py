@@ -8,6 +8,9 @@ Zones and sections pass smoothly into each other, so that creep forces stay cont
     >>> friction = Friction.everywhere(dry, falling=falling("polach_dry"))
     >>> friction_at(friction.table(), s, LEFT, contact_angle, slip_speed)
 
+What a vehicle carries with it, as the locomotive its flange lubrication, is a table of its own for the
+wheelsets that run greased.
+
 The numbers of climates, treatments and falling characteristics stand with their sources in
 ``track/data/friction.toml``.
 """
