@@ -1,0 +1,145 @@
+"""Data files read strictly: every key named, every number in its range, every table with its source.
+
+A data file is TOML with units in the names of its keys (``share_percent``, ``radius_m``). Each table says
+in ``source`` how its numbers are known: the text starts with one of `KINDS`, so that a user can list the
+guesses.
+A fault is a ValueError of one line with file, key, value, unit and what is allowed.
+"""
+
+import difflib
+import math
+import tomllib
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+from pathlib import Path
+from typing import Any
+
+KINDS = ("published", "derived", "assumed")
+
+
+class DataTable:
+    """One table of a data file. Keys are asked for one by one; `close` complains of those never asked for.
+
+    Parameters
+    ----------
+    entries : the table as tomllib gives it
+    file : name of the file, for messages
+    place : the table's place in the file, "" for the file itself
+    """
+
+    def __init__(self, entries: Any, file: str, place: str = "") -> None:
+        self.file = file
+        self.place = place
+        if not isinstance(entries, dict):
+            raise self.error(f"{place} = {entries!r}: allowed a table")
+        self.entries: dict[str, Any] = entries
+        self._asked: set[str] = set()
+
+    def error(self, text: str) -> ValueError:
+        """A ValueError that starts with the name of the file."""
+        return ValueError(f"{self.file}: {text}")
+
+    def key(self, name: str) -> str:
+        """Full name of a key, as in the file."""
+        return f"{self.place}.{name}" if self.place else name
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.entries
+
+    def _get(self, name: str, allowed: str) -> Any:
+        self._asked.add(name)
+        if name not in self.entries:
+            near = difflib.get_close_matches(name, set(self.entries) - self._asked, n=1)
+            hint = f"; is it {self.key(near[0])}?" if near else ""
+            raise self.error(f"{self.key(name)} is missing: allowed {allowed}{hint}")
+        return self.entries[name]
+
+    def _checked(self, name: str, value: Any, unit: str, low: float, high: float) -> float:
+        """`value` as a float, or an error; NaN is in no range, and true is not a number."""
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        if not (is_number and low <= value <= high):
+            shown = f"{value:g} {unit}" if is_number else repr(value)
+            raise self.error(f"{self.key(name)} = {shown}: allowed {low:g} to {high:g} {unit}")
+        return float(value)
+
+    def number(self, name: str, unit: str, low: float, high: float) -> float:
+        """A number from `low` to `high` in the unit of the file."""
+        value = self._get(name, f"{low:g} to {high:g} {unit}")
+        return self._checked(name, value, unit, low, high)
+
+    def numbers(
+        self, name: str, unit: str, low: float, high: float, count: int | None = None
+    ) -> tuple[float, ...]:
+        """A list of numbers, `count` of them unless None."""
+        allowed = f"a list of {count or 'one or more'} numbers, {low:g} to {high:g} {unit}"
+        value = self._get(name, allowed)
+        if not isinstance(value, list) or not value or (count is not None and len(value) != count):
+            raise self.error(f"{self.key(name)} = {value!r}: allowed {allowed}")
+        return tuple(self._checked(f"{name}[{i}]", x, unit, low, high) for i, x in enumerate(value))
+
+    def mapping(self, name: str, unit: str, low: float, high: float) -> dict[str, float]:
+        """A table of numbers under names that are the user's own."""
+        inner = DataTable(self._get(name, "a table of numbers"), self.file, self.key(name))
+        if not inner.entries:
+            raise self.error(
+                f"{inner.place} is empty: allowed one or more names with {low:g} to {high:g} {unit}"
+            )
+        return {key: inner.number(key, unit, low, high) for key in inner.entries}
+
+    def text(self, name: str, allowed: tuple[str, ...] = ()) -> str:
+        """A text, one of `allowed` if there are any."""
+        choices = ", ".join(allowed) or "a text"
+        value = self._get(name, choices)
+        if not isinstance(value, str) or not value or (allowed and value not in allowed):
+            raise self.error(f"{self.key(name)} = {value!r}: allowed {choices}")
+        return value
+
+    def source(self) -> str:
+        """The table's ``source``: "kind: what is known", kind one of `KINDS`."""
+        value = self.text("source")
+        if value.split(":", 1)[0] not in KINDS:
+            raise self.error(
+                f"{self.key('source')} = {value!r}: allowed a text that starts with {', '.join(KINDS)}"
+            )
+        return value
+
+    def table(self, name: str) -> "DataTable":
+        """The table of that name inside this one."""
+        return DataTable(self._get(name, "a table"), self.file, self.key(name))
+
+    def tables(self, name: str) -> list["DataTable"]:
+        """The row of tables ``[[name]]``, one at least."""
+        value = self._get(name, f"one or more tables [[{name}]]")
+        if not isinstance(value, list) or not value:
+            raise self.error(f"{self.key(name)} = {value!r}: allowed one or more tables [[{name}]]")
+        return [DataTable(x, self.file, f"{self.key(name)}[{i}]") for i, x in enumerate(value)]
+
+    def close(self) -> None:
+        """Raise ValueError for the first key that nobody asked for."""
+        for name in self.entries:
+            if name not in self._asked:
+                near = difflib.get_close_matches(name, self._asked, n=1)
+                hint = f"did you mean {near[0]}?" if near else f"known keys: {', '.join(sorted(self._asked))}"
+                raise self.error(f"unknown key {self.key(name)}; {hint}")
+
+
+def read_data(path: Path | Traversable) -> DataTable:
+    """The whole file as a table. Raises ValueError where it cannot be read or is not TOML."""
+    name = str(path) if isinstance(path, Path) else path.name
+    try:
+        return DataTable(tomllib.loads(path.read_bytes().decode("utf-8-sig")), name)
+    except OSError as error:
+        raise ValueError(f"{name}: cannot be read: {error.strerror}") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise ValueError(f"{name}: not valid TOML: {error}") from None
+
+
+def own_data(name: str) -> DataTable:
+    """The file ``track/data/<name>.toml`` of the toolkit."""
+    return read_data(files("track") / "data" / f"{name}.toml")
+
+
+def check_range(name: str, value: float, unit: str, low: float, high: float) -> None:
+    """Raise ValueError unless `value` is a finite number from `low` to `high` (NaN is not)."""
+    if not (low <= value <= high and math.isfinite(value)):
+        raise ValueError(f"{name} is {value} {unit}, allowed are {low:g} to {high:g} {unit}")

@@ -1,0 +1,280 @@
+"""The friction coefficient of a contact: where on the track, where on the wheel, and how fast it slips.
+
+People write `Zones` (a coefficient for tread, gauge corner and flange) for sections of the track, left and
+right, and perhaps a `Falling` characteristic; `Friction.table` makes what the kernel `friction_at` reads.
+Zones and sections pass smoothly into each other, so that creep forces stay continuous.
+
+    >>> dry = climate("cold_dry").treated("flange_lubrication")
+    >>> friction = Friction.everywhere(dry, falling=falling("polach_dry"))
+    >>> friction_at(friction.table(), s, LEFT, contact_angle, slip_speed)
+
+What a vehicle carries with it, as the locomotive its flange lubrication, is a table of its own for the
+wheelsets that run greased.
+
+The numbers of climates, treatments and falling characteristics stand with their sources in
+``track/data/friction.toml``.
+"""
+
+import functools
+import math
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import NamedTuple, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hh_exudyn.kernel import kernel
+from track.data_file import DataTable, check_range, own_data
+
+ZONES = ("tread", "gauge_corner", "flange")
+_FRICTION = (0.01, 1.0)  # what a case may have
+
+
+class FrictionTable(NamedTuple):
+    """What the kernel reads. Angles in rad, lengths in m."""
+
+    begin: NDArray[np.float64]  # (n,) where the change to section i begins; the first is not used
+    ramp: float  # length of a change
+    friction: NDArray[np.float64]  # (n, 2, 3) at rest: section, left and right, zone
+    corner_from: float  # contact angles between which tread passes into gauge corner
+    corner_to: float
+    flange_from: float  # and gauge corner into flange
+    flange_to: float
+    ratio: float  # A: friction at infinite slip speed over that at rest [-]
+    decrease: float  # B [s/m]
+
+
+@kernel
+def _smooth_step(x: float) -> float:
+    """From 0 at x <= 0 to 1 at x >= 1, value and slope continuous."""
+    t = min(max(x, 0.0), 1.0)
+    return t * t * (3.0 - 2.0 * t)
+
+
+@kernel
+def friction_at(table: FrictionTable, s: float, side: int, contact_angle: float, slip_speed: float) -> float:
+    """Friction coefficient of one contact [-].
+
+    Parameters
+    ----------
+    table : from `Friction.table`
+    s : arc length of the contact along the track [m]; the first and last section go on without end
+    side : LEFT or RIGHT
+    contact_angle : positive towards the flange [rad]; a contact on the field side belongs to the tread
+    slip_speed : magnitude of the slip velocity, creepage times speed, >= 0 [m/s]
+
+    Returns
+    -------
+    float
+        Continuous in every argument but `side`, with continuous slopes over s and the contact angle.
+    """
+    corner = _smooth_step((contact_angle - table.corner_from) / (table.corner_to - table.corner_from))
+    flange = _smooth_step((contact_angle - table.flange_from) / (table.flange_to - table.flange_from))
+    column = (1 - side) // 2
+
+    low, high = 0, table.begin.shape[0]  # the section: the last whose change has begun
+    while high - low > 1:
+        middle = (low + high) // 2
+        if s >= table.begin[middle]:
+            low = middle
+        else:
+            high = middle
+    zone = table.friction[low, column]
+    friction = zone[0] + corner * (zone[1] - zone[0]) + flange * (zone[2] - zone[1])
+    if low > 0 and s < table.begin[low] + table.ramp:
+        zone = table.friction[low - 1, column]
+        before = zone[0] + corner * (zone[1] - zone[0]) + flange * (zone[2] - zone[1])
+        friction = before + _smooth_step((s - table.begin[low]) / table.ramp) * (friction - before)
+    # Polach 2005: mu = mu0 ((1 - A) exp(-B v) + A)
+    return friction * ((1.0 - table.ratio) * math.exp(-table.decrease * slip_speed) + table.ratio)
+
+
+@dataclass(frozen=True)
+class Zones:
+    """Friction coefficients at rest of the zones of a wheel on its rail [-], 0.01 to 1.
+
+    The zones are told apart by the contact angle: tread below 10 degrees, gauge corner from 20 to 35, flange
+    above 55 (``friction.toml``). Raises ValueError for a coefficient out of range.
+    """
+
+    tread: float
+    gauge_corner: float
+    flange: float
+
+    def __post_init__(self) -> None:
+        for name in ZONES:
+            check_range(f"friction of the {name}", getattr(self, name), "[-]", *_FRICTION)
+
+    @classmethod
+    def even(cls, friction: float) -> Self:
+        """The same coefficient everywhere on the wheel."""
+        return cls(friction, friction, friction)
+
+    def treated(self, *treatments: str) -> "Zones":
+        """With lubrication or conditioning, which lowers friction where it is higher and never raises it.
+
+        Raises ValueError for an unknown treatment (lists the known ones).
+        """
+        zones = self
+        for name in treatments:
+            target = _named("treatment", name)
+            lowered = {key: min(value, getattr(zones, key)) for key, value in target.items()}
+            zones = replace(zones, **lowered)
+        return zones
+
+
+@dataclass(frozen=True)
+class Falling:
+    """Friction that falls with slip speed v: mu(v) = mu(0) ((1 - A) exp(-B v) + A), Polach 2005.
+
+    Parameters
+    ----------
+    ratio : A, friction at infinite slip speed over that at rest [-], 0 to 1; 1 does not fall
+    decrease : B [s/m], 0 to 10
+
+    Raises
+    ------
+    ValueError
+        A number out of range.
+    """
+
+    ratio: float = 1.0
+    decrease: float = 0.0
+
+    def __post_init__(self) -> None:
+        check_range("ratio of Falling", self.ratio, "[-]", 0.0, 1.0)
+        check_range("decrease of Falling", self.decrease, "s/m", 0.0, 10.0)
+
+
+@dataclass(frozen=True)
+class FrictionSection:
+    """Friction from `start` [m] to the next section's start."""
+
+    start: float
+    left: Zones
+    right: Zones
+
+    def __post_init__(self) -> None:
+        check_range("start of a FrictionSection", self.start, "m", -1e6, 1e6)
+
+
+@dataclass(frozen=True)
+class Friction:
+    """Friction along a track.
+
+    Parameters
+    ----------
+    sections : in the order of their starts; the first also holds before its start
+    falling : how friction falls with slip speed, everywhere alike
+    ramp : length over which one section changes into the next, half before and half behind the start [m],
+        0.01 to 100 and no longer than a section
+
+    Raises
+    ------
+    ValueError
+        No section, starts that do not grow by `ramp` at least, a ramp out of range.
+    """
+
+    sections: tuple[FrictionSection, ...]
+    falling: Falling = Falling()
+    ramp: float = 2.0
+
+    def __post_init__(self) -> None:
+        if not self.sections:
+            raise ValueError("sections of Friction is empty, at least one is needed")
+        check_range("ramp of Friction", self.ramp, "m", 0.01, 100.0)
+        for i, (one, other) in enumerate(pairwise(self.sections)):
+            if other.start - one.start < self.ramp:
+                raise ValueError(
+                    f"start of friction section {i + 2} is {other.start:g} m, allowed is from "
+                    f"{one.start + self.ramp:g} m on: {self.ramp:g} m (ramp) behind the section before it"
+                )
+
+    @classmethod
+    def everywhere(cls, zones: Zones, falling: Falling = Falling()) -> Self:
+        """The same zones along the whole track, left and right."""
+        return cls((FrictionSection(0.0, zones, zones),), falling)
+
+    def table(self) -> FrictionTable:
+        """What the kernel `friction_at` reads."""
+        values = [
+            [[getattr(zones, name) for name in ZONES] for zones in (section.left, section.right)]
+            for section in self.sections
+        ]
+        return FrictionTable(
+            np.array([section.start - 0.5 * self.ramp for section in self.sections]),
+            float(self.ramp),
+            np.array(values),
+            *_zone_angles(),
+            float(self.falling.ratio),
+            float(self.falling.decrease),
+        )
+
+
+def climate(name: str) -> Zones:
+    """Untreated friction in that weather, the same in all zones.
+
+    Raises ValueError for an unknown name (lists the known ones).
+    """
+    return Zones.even(_named("climate", name)["friction"])
+
+
+def falling(name: str) -> Falling:
+    """The falling characteristic of that name. Raises ValueError for an unknown one (lists the known)."""
+    numbers = _named("falling", name)
+    return Falling(numbers["ratio"], numbers["decrease_s_per_m"])
+
+
+def known(kind: str) -> dict[str, str]:
+    """Names of a kind ("climate", "treatment", "falling") with the source of their numbers."""
+    return {name: source for name, (_, source) in _friction_data()[kind].items()}
+
+
+def _named(kind: str, name: str) -> dict[str, float]:
+    """Numbers of one table of the data file."""
+    tables = _friction_data()[kind]
+    if name not in tables:
+        raise ValueError(f"{kind} {name!r} is not known, there are: {', '.join(tables)}")
+    return tables[name][0]
+
+
+_Named = dict[str, tuple[dict[str, float], str]]  # name: numbers, source
+
+_KEYS = {  # kind: keys that a table may have, with unit and range
+    "climate": {"friction": ("[-]", *_FRICTION)},
+    "treatment": dict.fromkeys(ZONES, ("[-]", *_FRICTION)),
+    "falling": {"ratio": ("[-]", 0.0, 1.0), "decrease_s_per_m": ("s/m", 0.0, 10.0)},
+}
+
+
+@functools.cache
+def _friction_data() -> dict[str, _Named]:
+    """Climates, treatments and falling characteristics of the data file."""
+    file = own_data("friction")
+    return {kind: _tables(file.table(kind), kind) for kind in _KEYS}
+
+
+def _tables(group: DataTable, kind: str) -> _Named:
+    """All tables of a kind, checked. Only a treatment may leave zones out."""
+    found: _Named = {}
+    for name in group.entries:
+        table = group.table(name)
+        wanted = {key: x for key, x in _KEYS[kind].items() if kind != "treatment" or key in table}
+        numbers = {key: table.number(key, *limits) for key, limits in wanted.items()}
+        found[name] = numbers, table.source()
+        table.close()
+    return found
+
+
+@functools.cache
+def _zone_angles() -> tuple[float, float, float, float]:
+    """Contact angles where one zone begins to pass into the next and has done so [rad]."""
+    zones = own_data("friction").table("zones")
+    corner = zones.numbers("tread_to_gauge_corner_deg", "deg", 0.0, 90.0, 2)
+    flange = zones.numbers("gauge_corner_to_flange_deg", "deg", corner[1], 90.0, 2)
+    zones.source()
+    zones.close()
+    return (
+        math.radians(corner[0]), math.radians(corner[1]), math.radians(flange[0]), math.radians(flange[1]),
+    )  # fmt: skip
