@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, FloatArray, WheelRailModel
 from hh_exudyn.kernel import inlined_kernel
 from track.alignment import AlignmentTable
-from track.flexibility import TrackParameters
+from track.substructure import TrackParameters
 
 IntArray = NDArray[np.int64]
 
