@@ -2,7 +2,7 @@
 
 The seven degrees of freedom of `track.substructure` cannot be read off a drawing: a wheel bends the rail over
 several sleepers, and how many depends on direction and frequency. So their parameters are fitted to the
-receptance of the rail on its sleepers (`track.sleepers`), mean of the places on and between sleepers, in four
+receptance of the rail on its sleepers (`track.sleepers`), mean along the track, in four
 cases: lateral and vertical, both rails loaded alike or opposite.
 
 * Statics exactly: in each direction two stiffnesses give both cases' static receptance. Laterally the pad
@@ -19,6 +19,7 @@ travel along the rail, overturning of the rail, lateral slip of the sleeper in t
 import math
 from collections.abc import Callable
 from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,7 +34,7 @@ LARGEST_RATE = 1000.0  # 1/s, pad damping over rail mass at most, far from the 6
 _FREQUENCIES = np.linspace(5.0, VALID_TO, 7)
 _PULL = 0.02  # relative error of the receptance that a factor e off the guess is worth
 
-_ComplexArray = NDArray[np.complex128]
+_ComplexArray = NDArray[np.complexfloating[Any, Any]]
 
 
 @cache
@@ -117,11 +118,12 @@ def _on_rail(
 
 
 def _mean(sleepers: SleeperTrack, direction: Direction, loading: Loading, frequency: float) -> complex:
-    """Receptance of the rail, mean of a place on a sleeper and one between two [m/N]."""
-    return 0.5 * sum(
+    """Receptance of the rail [m/N], mean along the track."""
+    found = [
         sleepers.receptance(direction, loading, frequency, share * sleepers.sleeper_spacing)
-        for share in (0.0, 0.5)
-    )
+        for share in _half_span(6)
+    ]
+    return complex(np.mean(found))
 
 
 def _static(sleepers: SleeperTrack, direction: Direction, loading: Loading) -> float:
@@ -130,11 +132,18 @@ def _static(sleepers: SleeperTrack, direction: Direction, loading: Loading) -> f
 
 
 def _passing(sleepers: SleeperTrack, direction: Direction) -> float:
-    """Amplitude of the rail's compliance along the track [m/N], both rails loaded alike."""
-    on, between = (
-        sleepers.receptance(direction, "alike", 0.0, share * sleepers.sleeper_spacing) for share in (0.0, 0.5)
-    )
-    return 0.5 * (between - on).real
+    """First Fourier coefficient of the rail's static compliance along the track, rails alike [m/N], > 0."""
+    places = _half_span(20)  # the compliance has a corner on the sleepers: 0.1 % in this coefficient
+    compliance = [
+        sleepers.receptance(direction, "alike", 0.0, share * sleepers.sleeper_spacing).real
+        for share in places
+    ]
+    return -2.0 * float(np.mean(compliance * np.cos(2.0 * math.pi * places)))
+
+
+def _half_span(count: int) -> NDArray[np.float64]:
+    """Places of the midpoint rule from a sleeper to the middle between two, in spacings."""
+    return 0.5 * (np.arange(count) + 0.5) / count
 
 
 def _fit(

@@ -1,7 +1,7 @@
 """Reference: two Timoshenko rails on sleepers one by one, by finite elements, for the track's receptance.
 
 Independent of `track.sleepers`, which solves an endless track by its waves: here 61 sleepers, rails in
-elements of a tenth of the spacing (shear-flexible beam, Przemieniecki 1968, section 5.6; masses at the
+elements of a twentieth of the spacing (shear-flexible beam, Przemieniecki 1968, section 5.6; masses at the
 nodes), every sleeper a rigid body with its own motion, every ballast mass too. Sparse matrices by scipy.
 """
 
@@ -12,9 +12,11 @@ from scipy.sparse.linalg import splu
 from track.sleepers import SleeperTrack
 
 SLEEPERS = 61
-PER_SPAN = 10
+PER_SPAN = 20
 NODES = (SLEEPERS - 1) * PER_SPAN + 1
-MIDDLE = NODES // 2  # on a sleeper; PER_SPAN // 2 further is between two
+MIDDLE = NODES // 2  # on a sleeper
+PLACES = np.arange(PER_SPAN // 2 + 1) / PER_SPAN  # from a sleeper to the middle between two, in spacings
+WEIGHTS = np.array([0.5, *[1.0] * (PER_SPAN // 2 - 1), 0.5]) / (PER_SPAN // 2)  # of a mean over PLACES
 
 
 class _Assembly:
@@ -100,16 +102,17 @@ def _lateral(t: SleeperTrack) -> _Assembly:
 
 
 def receptances(track: SleeperTrack, direction: str, frequencies: np.ndarray) -> np.ndarray:
-    """(frequencies, loading, place): rails alike or opposite; on a sleeper or between two [m/N]."""
+    """(frequencies, loading, place): rails alike or opposite; at `PLACES` after a sleeper [m/N]."""
     assembly = _vertical(track) if direction == "vertical" else _lateral(track)
     k, c, m = (assembly.matrix(kind) for kind in "kcm")
-    result = np.zeros((frequencies.size, 2, 2), dtype=complex)
+    nodes = MIDDLE + np.arange(PLACES.size)
+    result = np.zeros((frequencies.size, 2, PLACES.size), dtype=complex)
     for f, frequency in enumerate(frequencies):
         omega = 2.0 * np.pi * frequency
         solve = splu(csc_array(k + 1j * omega * c - omega**2 * m)).solve
-        for place, node in enumerate((MIDDLE, MIDDLE + PER_SPAN // 2)):
-            for loading, right in enumerate((1.0, -1.0)):
-                load = np.zeros(assembly.size, dtype=complex)
-                load[2 * node], load[2 * (NODES + node)] = 1.0, right
-                result[f, loading, place] = solve(load)[2 * node]
+        for loading, right in enumerate((1.0, -1.0)):
+            load = np.zeros((assembly.size, PLACES.size), dtype=complex)
+            load[2 * nodes, range(PLACES.size)] = 1.0
+            load[2 * (NODES + nodes), range(PLACES.size)] = right
+            result[f, loading] = np.diag(solve(load)[2 * nodes])
     return result
