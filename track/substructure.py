@@ -12,10 +12,11 @@ s = 0, d, 2d, ..., to its first harmonic,
     C(s) = C - eps / k_pad cos(2 pi s / d),   by   k_pad(s) = k_pad / (1 - eps cos(2 pi s / d))           (1)
 
 with the amplitude eps from the beam on its supports (`track.flexibility`). Over point supports the beam's
-compliance has a corner; the second harmonic is a fifth of the first. It is left out: real pads are as long as
-a quarter of the spacing, and at 60 km/h it lies at 56 Hz, where the lumped track is not valid. The spring has
-at each s the energy k_pad(s) u^2 / 2: passing sleepers do work on the track and take it back again, which no
-damper's power tells and the train does not feel.
+compliance has a corner; its second harmonic is a fifth of the first (laterally a tenth). It is left out: real
+pads are as long as a quarter of the spacing, and at 60 km/h it lies at 56 Hz, where the lumped track is not
+valid. The spring has at each s the energy k_pad(s) u^2 / 2, so that passing sleepers do work on the track,
+and take back what its dampers and the vehicle's have not lost (15 W of the demo's 12 kW). The longitudinal
+force -u^2/2 dk_pad/ds by which the train would pay for it is left out.
 """
 
 import math
