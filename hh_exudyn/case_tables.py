@@ -142,7 +142,7 @@ _Cells = Annotated[int, Field(ge=5, le=100)]
 class ContactCase(CaseTable):
     """Normal and tangential theory, grid, and the damping d of the normal force N (1 + d * approach rate).
 
-    The default of d is assumed: at 150 kN it is a damper of 45 kN s/m, 4 % of critical for the 200 kg of a
+    The default of d is assumed: at 150 kN it is a damper of 45 kN s/m, 5 % of critical for the 150 kg of a
     rail on a contact spring of 1.7 GN/m. With 32 cells along each of 16 strips the lateral wheel forces of
     the demo are within 0.5 % of those with 50 x 50 cells and half the step; strips in eights fill the vector
     registers.

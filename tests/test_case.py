@@ -122,7 +122,7 @@ FAULTS: dict[str, tuple[dict[str, Any], list[str]]] = {  # change: parts of the 
     "theory": ({"contact": {"theory": "fastrap"}}, ["contact.theory", "fastrip, fastsim", '"fastrip"?']),
     "rail": ({"track": {"rail": "61E1"}}, ["track.rail", "61E1", "60E1"]),
     "rail file": ({"track": {"rail": "no/such.txt"}}, ["track.rail", "no/such.txt", "not found"]),
-    "flexibility": ({"track": {"flexibility": "soft"}}, ["track.flexibility", "concrete, rigid"]),
+    "flexibility": ({"track": {"flexibility": "soft"}}, ["track.flexibility", "wooden_frozen, rigid"]),
     "inclination": ({"track": {"inclination": "1:5"}}, ['track.inclination = "1:5"', '"1:15" to "1:100"']),
     "inclination text": ({"track": {"inclination": "flat"}}, ['"flat"', '"1:15" to "1:100"']),
     "inclination zero": ({"track": {"inclination": "1:0"}}, ['"1:0"', '"1:15" to "1:100"']),

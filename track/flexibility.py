@@ -1,313 +1,194 @@
-"""The flexible track under one wheelset: a co-running substructure of seven degrees of freedom.
+"""From sleepers to the lumped track under one wheelset: `track_flexibility("concrete")`.
 
-Two rail masses (lateral and vertical) on pads over one sleeper (lateral, vertical, roll) on ballast. Each
-wheelset carries its own along the track; the deflection that a neighbouring wheelset 1.8 m away adds is
-left out, and so are rail overturning (the lateral force acts at the rail top, the pad at the foot), lateral
-slip of the sleeper in the ballast, and everything that depends on the position between sleepers.
+The seven degrees of freedom of `track.substructure` cannot be read off a drawing: a wheel bends the rail over
+several sleepers, and how many depends on direction and frequency. So their parameters are fitted to the
+receptance of the rail on its sleepers (`track.sleepers`), mean along the track, in four cases: lateral and
+vertical, both rails loaded alike or opposite.
 
-From sleepers to one lump (`SleeperTrack.lumped`): a beam on a Winkler foundation of stiffness k' per metre
-(pad and ballast in series, over the sleeper spacing) has at a point the stiffness (Zimmermann 1888)
+* Statics exactly: in each direction two stiffnesses give both cases' static receptance. Laterally the pad
+  from the gauge spreading, the ballast from the rest; vertically pad and bed share the deflection as under a
+  sleeper, and the place of the bed's springs makes the roll right.
+* Dynamics by least squares of the relative receptance error from 0 to `VALID_TO`: masses and dampers.
+* The rail masses have a least value, `LEAST_RAIL_MASS`: the beam's own effective mass (55 to 80 kg) would
+  vibrate on the contact spring too fast for an explicit step.
 
-    K = 2 sqrt(2) (EI)^(1/4) k'^(3/4) = k' 2/beta,   beta = (k' / (4 EI))^(1/4)                         (1)
+Largest error of the complex receptance, anywhere along the track, 0 to 35 Hz (to 20 Hz), in per cent, and
+how far a rail goes down under 150 kN on both:
 
-so K is that of the foundation over the length 2/beta. To first order in frequency the beam with masses m'
-and dampers c' per metre has (put k' + i omega c' - omega^2 m' for k' in (1))
+==================  ===============  ===========================  ===============================
+set                 deflection [mm]  lateral alike, opposite      vertical alike, opposite
+==================  ===============  ===========================  ===============================
+`concrete`          1.95             12.3 (3.8),  12.1 (4.6)       1.3 (1.2),   1.3 (1.2)
+`concrete_frozen`   1.20             11.2 (3.6),  10.1 (4.2)       4.3 (2.0),   4.2 (2.0)
+`concrete_soft`     2.75             13.5 (4.1),  14.5 (4.9)      11.8 (8.0),  12.0 (8.2)
+`concrete_stiff`    1.37             10.5 (3.3),  10.2 (4.6)       2.9 (1.6),   2.7 (1.5)
+`wooden`            1.88             15.8 (4.7),  11.6 (5.1)       1.4 (1.3),   1.4 (1.3)
+`wooden_frozen`     1.13             12.1 (3.9),  10.2 (4.3)       4.0 (2.0),   4.0 (2.0)
+==================  ===============  ===========================  ===============================
 
-    K(omega) = K + (i omega c' - omega^2 m') 3/(2 beta)                                                  (2)
+Laterally it is the surplus of rail mass that remains. Above 35 Hz the lumped track is not the track: unfrozen
+"concrete" resonates vertically at 67 Hz, where the rail on its sleepers and ballast does so at 52 Hz and half
+as high, since it radiates waves.
 
-so masses and dampers count over 3/(2 beta). The rail masses are larger than that (see the data file): the
-receptance of "concrete" is within 10 % of the beam's up to 35 Hz vertically, up to 20 Hz laterally (27 % at
-35 Hz). The gauge spreads under opposite lateral forces 10 to 20 % too little, since the lengths are those of
-equal ones. Displacements are from the unloaded track without gravity:
-y left, z up, roll about the forward axis (positive lifts the left end).
+Left out: the deflection that a neighbouring wheelset adds (4 to 11 % of its own at 1.78 m, by Zimmermann's
+line of influence), waves that travel along the rail, overturning of the rail, lateral slip of the sleeper in
+the ballast.
 """
 
 import math
-import tomllib
-from dataclasses import dataclass, fields
-from importlib import resources
-from typing import NamedTuple
+from collections.abc import Callable
+from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import least_squares
 
-from hh_exudyn.kernel import kernel
+from track.sleepers import Direction, Loading, SleeperTrack, series, sleeper_track
+from track.substructure import TrackFlexibility
 
-DOFS = ("y_left", "z_left", "y_right", "z_right", "y_sleeper", "z_sleeper", "roll_sleeper")
+VALID_TO = 35.0  # Hz, of the vehicle and track model (Hossein-Nia 2018, section 1.2.1)
+LEAST_RAIL_MASS = 150.0  # kg, on contact springs of 1.7 GN/m: stable up to steps of 0.45 ms (test_stability)
+LARGEST_RATE = 1000.0  # 1/s, pad damping over rail mass at most, far from the 6,000 that 0.4 ms would allow
+_CASES: tuple[Loading, Loading] = ("alike", "opposite")
+_FREQUENCIES = np.linspace(5.0, VALID_TO, 7)
+_PULL = 0.02  # relative error of the receptance that a factor e off the guess is worth
 
-
-class TrackParameters(NamedTuple):
-    """Springs and dampers of one wheelset's track, as the kernel takes them. SI units."""
-
-    pad_stiffness_lateral: float
-    pad_stiffness_vertical: float
-    pad_damping_lateral: float
-    pad_damping_vertical: float
-    ballast_stiffness_lateral: float
-    ballast_stiffness_vertical: float
-    ballast_damping_lateral: float
-    ballast_damping_vertical: float
-    rail_spacing_half: float
-    ballast_spacing_half: float
+_ComplexArray = NDArray[np.complexfloating[Any, Any]]
 
 
-@kernel
-def track_forces(
-    parameters: TrackParameters,
-    q: NDArray[np.float64],
-    v: NDArray[np.float64],
-    rail_force: NDArray[np.float64],
-    force: NDArray[np.float64],
-) -> float:
-    """Generalized forces on the seven degrees of freedom of one wheelset's track.
-
-    Parameters
-    ----------
-    parameters : springs and dampers
-    q, v : (7,) displacements [m, rad] and velocities, in the order of `DOFS`
-    rail_force : (2, 2) contact forces on left and right rail: lateral (to the left), vertical (up) [N]
-    force : (7,) written: springs, dampers and contact [N, N m]
-
-    Returns
-    -------
-    Power lost in the dampers [W], >= 0.
-    """
-    p = parameters
-    power = 0.0
-    for i in range(7):
-        force[i] = 0.0
-    for side in range(2):
-        arm = 1.0 - 2.0 * side  # +1 left, -1 right
-        y = 2 * side
-        z = y + 1
-        # pad, lateral: rail against sleeper
-        rate = v[y] - v[4]
-        f = p.pad_stiffness_lateral * (q[y] - q[4]) + p.pad_damping_lateral * rate
-        power += p.pad_damping_lateral * rate * rate
-        force[y] += rail_force[side, 0] - f
-        force[4] += f
-        # pad, vertical: rail against the sleeper's seat below it
-        b = arm * p.rail_spacing_half
-        rate = v[z] - v[5] - b * v[6]
-        f = p.pad_stiffness_vertical * (q[z] - q[5] - b * q[6]) + p.pad_damping_vertical * rate
-        power += p.pad_damping_vertical * rate * rate
-        force[z] += rail_force[side, 1] - f
-        force[5] += f
-        force[6] += b * f
-        # ballast, vertical: one of two springs
-        b = arm * p.ballast_spacing_half
-        rate = v[5] + b * v[6]
-        f = p.ballast_stiffness_vertical * (q[5] + b * q[6]) + p.ballast_damping_vertical * rate
-        power += p.ballast_damping_vertical * rate * rate
-        force[5] -= f
-        force[6] -= b * f
-        # ballast, lateral: one of two springs
-        f = p.ballast_stiffness_lateral * q[4] + p.ballast_damping_lateral * v[4]
-        power += p.ballast_damping_lateral * v[4] * v[4]
-        force[4] -= f
-    return power
-
-
-def _check_positive(owner: object) -> None:
-    """Raise ValueError for the first field of a dataclass of floats that is not positive and finite."""
-    for item in fields(owner):  # type: ignore[arg-type]
-        value = getattr(owner, item.name)
-        if not 0.0 < value < math.inf:
-            name = f"{item.name} of {type(owner).__name__}"
-            raise ValueError(f"{name} is {value} {UNITS[item.name]}, it must be positive and finite")
-
-
-@dataclass(frozen=True)
-class TrackFlexibility:
-    """The lumped track under one wheelset. Pad and ballast values are those of ONE of the two sides.
-
-    Vertical ballast springs stand at +-`ballast_spacing_half`, the pads at +-`rail_spacing_half`. The sleeper
-    has two masses because a wheelset moves more of the track vertically than laterally.
-
-    Raises ValueError for a value that is not positive and finite.
-    """
-
-    rail_mass_lateral: float
-    rail_mass_vertical: float
-    pad_stiffness_lateral: float
-    pad_stiffness_vertical: float
-    pad_damping_lateral: float
-    pad_damping_vertical: float
-    sleeper_mass_lateral: float
-    sleeper_mass_vertical: float
-    sleeper_roll_inertia: float
-    ballast_stiffness_lateral: float
-    ballast_stiffness_vertical: float
-    ballast_damping_lateral: float
-    ballast_damping_vertical: float
-    rail_spacing_half: float
-    ballast_spacing_half: float
-
-    def __post_init__(self) -> None:
-        _check_positive(self)
-
-    def parameters(self) -> TrackParameters:
-        """What the kernel `track_forces` takes."""
-        return TrackParameters(*(float(getattr(self, name)) for name in TrackParameters._fields))
-
-    def masses(self) -> NDArray[np.float64]:
-        """(7,) masses [kg] and roll inertia [kg m2] in the order of `DOFS`; the mass matrix is diagonal."""
-        rail = [self.rail_mass_lateral, self.rail_mass_vertical]
-        sleeper = [self.sleeper_mass_lateral, self.sleeper_mass_vertical, self.sleeper_roll_inertia]
-        return np.array([*rail, *rail, *sleeper])
-
-    def matrices(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Stiffness and damping matrix (7, 7), read from the kernel column by column (it is linear)."""
-        parameters, zero, none = self.parameters(), np.zeros(7), np.zeros((2, 2))
-        stiffness, damping = np.zeros((7, 7)), np.zeros((7, 7))
-        force = np.zeros(7)
-        for i, unit in enumerate(np.eye(7)):
-            track_forces(parameters, unit, zero, none, force)
-            stiffness[:, i] = -force
-            track_forces(parameters, zero, unit, none, force)
-            damping[:, i] = -force
-        return stiffness, damping
-
-    def receptance(self, frequency: float) -> NDArray[np.complex128]:
-        """(7, 7) displacements per unit force at a frequency [Hz], >= 0. Static compliance at 0."""
-        if not 0.0 <= frequency < math.inf:
-            raise ValueError(f"frequency is {frequency} Hz, it must be >= 0 and finite")
-        stiffness, damping = self.matrices()
-        omega = 2.0 * math.pi * frequency
-        dynamic = stiffness + 1j * omega * damping - omega**2 * np.diag(self.masses())
-        return np.asarray(np.linalg.inv(dynamic), dtype=np.complex128)
-
-    def modes(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Undamped-equivalent frequencies |lambda| / 2 pi [Hz] and damping ratios -Re(lambda) / |lambda| [-].
-
-        Of the track alone, sorted by frequency; an overdamped mode gives two entries of damping ratio 1.
-        """
-        stiffness, damping = self.matrices()
-        inverse = 1.0 / self.masses()[:, None]
-        state = np.block([[np.zeros((7, 7)), np.eye(7)], [-inverse * stiffness, -inverse * damping]])
-        roots = np.linalg.eigvals(state)
-        roots = roots[roots.imag >= 0.0]
-        roots = roots[np.argsort(np.abs(roots))]
-        return np.abs(roots) / (2.0 * math.pi), -roots.real / np.abs(roots)
-
-    def static_deflection(self, load: float) -> float:
-        """How far both rails go down [m] under a vertical load per wheel [N] on both."""
-        stiffness, _ = self.matrices()
-        return -float(np.linalg.solve(stiffness, [0.0, -load, 0.0, -load, 0.0, 0.0, 0.0])[1])
-
-
-@dataclass(frozen=True)
-class SleeperTrack:
-    """A track on sleepers as sources give it. Pad, ballast and subgrade values are per RAIL SEAT.
-
-    Raises ValueError for a value that is not positive and finite.
-    """
-
-    young_modulus: float
-    rail_inertia_vertical: float
-    rail_inertia_lateral: float
-    sleeper_spacing: float
-    pad_stiffness_lateral: float
-    pad_stiffness_vertical: float
-    pad_damping_lateral: float
-    pad_damping_vertical: float
-    sleeper_mass: float
-    sleeper_length: float
-    ballast_stiffness_lateral: float
-    ballast_stiffness_vertical: float
-    ballast_damping_lateral: float
-    ballast_damping_vertical: float
-    subgrade_stiffness_vertical: float
-    subgrade_damping_vertical: float
-    rail_spacing_half: float
-    rail_mass: float
-
-    def __post_init__(self) -> None:
-        _check_positive(self)
-
-    def _decay(self, inertia: float, support: float) -> float:
-        """beta of equation (1) [1/m] for a support stiffness per rail seat [N/m]."""
-        per_metre = support / self.sleeper_spacing
-        return float((per_metre / (4.0 * self.young_modulus * inertia)) ** 0.25)
-
-    def lumped(self) -> TrackFlexibility:
-        """The seven degrees of freedom under one wheelset, equations (1) and (2).
-
-        Ballast and subgrade are in series; the mass between them is left out, so that their dampers act in
-        proportion to the square of each one's share of the deflection (static condensation, Guyan 1965).
-        The lengths are those of both rails loaded alike. The ballast is even along the sleeper: springs at
-        length / sqrt(12) have its roll stiffness.
-        """
-        share = self.ballast_stiffness_vertical / (
-            self.ballast_stiffness_vertical + self.subgrade_stiffness_vertical
-        )  # of the subgrade in the deflection of the sleeper
-        bed = share * self.subgrade_stiffness_vertical  # ballast and subgrade in series
-        bed_damping = (
-            1.0 - share
-        ) ** 2 * self.ballast_damping_vertical + share**2 * self.subgrade_damping_vertical
-        beta_z = self._decay(self.rail_inertia_vertical, _series(self.pad_stiffness_vertical, bed))
-        beta_y = self._decay(
-            self.rail_inertia_lateral, _series(self.pad_stiffness_lateral, self.ballast_stiffness_lateral)
-        )
-        stiff_y, stiff_z = (2.0 / beta / self.sleeper_spacing for beta in (beta_y, beta_z))  # (1), sleepers
-        inert_y, inert_z = (1.5 / beta / self.sleeper_spacing for beta in (beta_y, beta_z))  # (2), sleepers
-        return TrackFlexibility(
-            rail_mass_lateral=self.rail_mass,
-            rail_mass_vertical=self.rail_mass,
-            pad_stiffness_lateral=stiff_y * self.pad_stiffness_lateral,
-            pad_stiffness_vertical=stiff_z * self.pad_stiffness_vertical,
-            pad_damping_lateral=inert_y * self.pad_damping_lateral,
-            pad_damping_vertical=inert_z * self.pad_damping_vertical,
-            sleeper_mass_lateral=inert_y * self.sleeper_mass,
-            sleeper_mass_vertical=inert_z * self.sleeper_mass,
-            sleeper_roll_inertia=inert_z * self.sleeper_mass * self.sleeper_length**2 / 12.0,
-            ballast_stiffness_lateral=stiff_y * self.ballast_stiffness_lateral,
-            ballast_stiffness_vertical=stiff_z * bed,
-            ballast_damping_lateral=inert_y * self.ballast_damping_lateral,
-            ballast_damping_vertical=inert_z * bed_damping,
-            rail_spacing_half=self.rail_spacing_half,
-            ballast_spacing_half=self.sleeper_length / math.sqrt(12.0),
-        )
-
-
-def _series(first: float, second: float) -> float:
-    """Stiffness of two springs in series [N/m]."""
-    return first * second / (first + second)
-
-
-def _unit(name: str) -> str:
-    """SI unit of a field, from its name."""
-    for part, unit in (("stiffness", "N/m"), ("damping", "N s/m"), ("roll_inertia", "kg m2"), ("mass", "kg")):
-        if part in name:
-            return unit
-    return {"young_modulus": "Pa", "rail_inertia_vertical": "m4", "rail_inertia_lateral": "m4"}.get(name, "m")
-
-
-UNITS = {item.name: _unit(item.name) for owner in (TrackFlexibility, SleeperTrack) for item in fields(owner)}
-
-
-def sleeper_track(name: str) -> SleeperTrack:
-    """The track on sleepers of a parameter set in `track/data/flexibility.toml`.
-
-    Raises
-    ------
-    ValueError
-        Unknown name (lists the known ones); a number without unit, or without a source or an assumption.
-    """
-    sets = tomllib.loads((resources.files("track") / "data" / "flexibility.toml").read_text(encoding="utf-8"))
-    if name not in sets:
-        raise ValueError(f"track flexibility {name!r} is not known, there are: {', '.join(sorted(sets))}")
-    values = {}
-    for item in fields(SleeperTrack):
-        entry = sets[name].get(item.name, {})
-        if "value" not in entry or entry.get("unit") != UNITS[item.name]:
-            raise ValueError(f"{item.name} of track {name!r} needs a value and the unit {UNITS[item.name]}")
-        if ("source" in entry) == ("assumed" in entry):
-            raise ValueError(f"{item.name} of track {name!r} needs either a source or assumed")
-        values[item.name] = float(entry["value"])
-    return SleeperTrack(**values)
-
-
+@cache
 def track_flexibility(name: str) -> TrackFlexibility:
     """The lumped track of a parameter set, "concrete". Raises what `sleeper_track` raises."""
-    return sleeper_track(name).lumped()
+    return lumped(sleeper_track(name))
+
+
+def lumped(sleepers: SleeperTrack) -> TrackFlexibility:
+    """The seven degrees of freedom under one wheelset, of about the receptance of a track on sleepers."""
+    lateral = {case: _static(sleepers, "lateral", case) for case in _CASES}
+    vertical = {case: _static(sleepers, "vertical", case) for case in _CASES}
+
+    pad_y = lateral["opposite"]
+    ballast_y = 1.0 / (1.0 / lateral["alike"] - 1.0 / pad_y)
+    pad_z, bed_z = sleepers.pad_stiffness_vertical, sleepers.bed_stiffness_vertical
+    scale = vertical["alike"] / series(pad_z, bed_z).real
+    pad_z, bed_z = scale * pad_z, scale * bed_z
+    roll_ratio = 1.0 / (1.0 / vertical["opposite"] - 1.0 / pad_z) / bed_z
+
+    omega = 2.0 * math.pi * _FREQUENCIES
+
+    def lateral_model(rail: float, pad: float, sleeper: float, ballast: float) -> list[_ComplexArray]:
+        over = pad_y + 1j * omega * pad
+        below = ballast_y + 1j * omega * ballast - omega**2 * sleeper / 2.0
+        return [_on_rail(over, below, rail, omega), 1.0 / (over - omega**2 * rail)]
+
+    def vertical_model(
+        rail: float, pad: float, sleeper: float, bed: float, roll: float
+    ) -> list[_ComplexArray]:
+        over = pad_z + 1j * omega * pad
+        spring = bed_z + 1j * omega * bed
+        rolling = spring * roll_ratio - omega**2 * roll / 2.0  # inertia over the square of the seat's arm
+        return [
+            _on_rail(over, spring - omega**2 * sleeper / 2.0, rail, omega),
+            _on_rail(over, rolling, rail, omega),
+        ]
+
+    # first guess: what one rail seat has, over the sleepers that are moved
+    moved_y = pad_y / sleepers.pad_stiffness_lateral
+    moved_z = pad_z / sleepers.pad_stiffness_vertical
+    share = bed_z / moved_z / sleepers.subgrade_stiffness_vertical  # of the subgrade in the bed's deflection
+    bed = (
+        1.0 - share
+    ) ** 2 * sleepers.ballast_damping_vertical + share**2 * sleepers.subgrade_damping_vertical
+    mass = sleepers.sleeper_mass + 2.0 * share**2 * sleepers.ballast_mass
+    guess_y = [sleepers.pad_damping_lateral, sleepers.sleeper_mass, sleepers.ballast_damping_lateral]
+    guess_z = [sleepers.pad_damping_vertical, mass, bed, mass * sleepers.roll_ratio]
+    y = _fit(sleepers, "lateral", lateral_model, [moved_y * value for value in guess_y])
+    z = _fit(sleepers, "vertical", vertical_model, [moved_z * value for value in guess_z])
+    return TrackFlexibility(
+        rail_mass_lateral=y[0],
+        rail_mass_vertical=z[0],
+        pad_stiffness_lateral=pad_y,
+        pad_stiffness_vertical=pad_z,
+        pad_damping_lateral=y[1],
+        pad_damping_vertical=z[1],
+        sleeper_mass_lateral=y[2],
+        sleeper_mass_vertical=z[2],
+        sleeper_roll_inertia=z[4] * sleepers.rail_spacing_half**2,
+        ballast_stiffness_lateral=ballast_y,
+        ballast_stiffness_vertical=bed_z,
+        ballast_damping_lateral=y[3],
+        ballast_damping_vertical=z[3],
+        rail_spacing_half=sleepers.rail_spacing_half,
+        ballast_spacing_half=math.sqrt(roll_ratio) * sleepers.rail_spacing_half,
+        sleeper_spacing=sleepers.sleeper_spacing,
+        passing_lateral=pad_y * _passing(sleepers, "lateral"),
+        passing_vertical=pad_z * _passing(sleepers, "vertical"),
+    )
+
+
+def _on_rail(
+    over: _ComplexArray, below: _ComplexArray, rail: float, omega: NDArray[np.float64]
+) -> _ComplexArray:
+    """Receptance of a rail mass on a pad on what is below it."""
+    return 1.0 / (over * below / (over + below) - omega**2 * rail)
+
+
+def _mean(sleepers: SleeperTrack, direction: Direction, loading: Loading, frequency: float) -> complex:
+    """Receptance of the rail [m/N], mean along the track."""
+    found = [
+        sleepers.receptance(direction, loading, frequency, share * sleepers.sleeper_spacing)
+        for share in _half_span(6)
+    ]
+    return complex(np.mean(found))
+
+
+def _static(sleepers: SleeperTrack, direction: Direction, loading: Loading) -> float:
+    """Static stiffness under a wheel [N/m]."""
+    return 1.0 / _mean(sleepers, direction, loading, 0.0).real
+
+
+def _passing(sleepers: SleeperTrack, direction: Direction) -> float:
+    """First Fourier coefficient of the rail's static compliance along the track, rails alike [m/N], > 0."""
+    places = _half_span(20)  # the compliance has a corner on the sleepers: 0.1 % in this coefficient
+    compliance = [
+        sleepers.receptance(direction, "alike", 0.0, share * sleepers.sleeper_spacing).real
+        for share in places
+    ]
+    return -2.0 * float(np.mean(compliance * np.cos(2.0 * math.pi * places)))
+
+
+def _half_span(count: int) -> NDArray[np.float64]:
+    """Places of the midpoint rule from a sleeper to the middle between two, in spacings."""
+    return 0.5 * (np.arange(count) + 0.5) / count
+
+
+def _fit(
+    sleepers: SleeperTrack,
+    direction: Direction,
+    model: Callable[..., list[_ComplexArray]],
+    guess: list[float],
+) -> list[float]:
+    """Rail mass, and what `guess` stands for, of least relative error against the rail on sleepers.
+
+    `guess` is a pad's damper, then any order of masses and dampers. The unknowns are logarithms of the ratio
+    to the guess, in bounds of 1/2 and 4, and a weak pull keeps at the guess what the receptance does not
+    tell: so no part becomes so light or so damped that it would limit the time step.
+    """
+    exact = [
+        np.array([_mean(sleepers, direction, case, frequency) for frequency in _FREQUENCIES])
+        for case in _CASES
+    ]
+    scale = np.array([LEAST_RAIL_MASS, *guess])
+
+    def errors(unknown: NDArray[np.float64]) -> NDArray[np.float64]:
+        found = model(*(scale * np.exp(unknown)))
+        relative = np.concatenate([a / b - 1.0 for a, b in zip(found, exact, strict=True)])
+        return np.concatenate([relative.real, relative.imag, _PULL * unknown[1:]])
+
+    lower, upper = np.full(scale.size, -math.log(2.0)), np.full(scale.size, math.log(4.0))
+    lower[0] = 0.0
+    upper[1] = min(upper[1], math.log(LEAST_RAIL_MASS * LARGEST_RATE / guess[0]))
+    start = np.clip(np.full(scale.size, 0.1), lower, upper - 0.01)
+    solution = least_squares(errors, start, bounds=(lower, upper))
+    return [float(value) for value in scale * np.exp(solution.x)]

@@ -7,7 +7,7 @@ velocity and LOCAL angular velocity, as Exudyn's `NodeRigidBodyRotVecLG` has the
 conjugate global force and local torque.
 
 Why the creepage feels them late: a steady-state creep force answers a sudden velocity at once, as a damper
-C/V of 1 MN s/m and, at low speed, much more, on a rail of 200 kg or on a wheelset's spin. A real contact must
+C/V of 1 MN s/m and, at low speed, much more, on a rail of 150 kg or on a wheelset's spin. A real contact must
 roll about one semi-axis a before its traction is built up (from Cattaneo's shift to Carter's rolling; Kalker,
 Three-Dimensional Elastic Bodies in Rolling Contact, 1990, chapter 5, quoted from memory); until then it is a
 spring of stiffness C/a, about that of Mindlin. So the velocity u that the creepage feels follows the velocity
@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, FloatArray, WheelRailModel
 from hh_exudyn.kernel import inlined_kernel
 from track.alignment import AlignmentTable
-from track.flexibility import TrackParameters
+from track.substructure import TrackParameters
 
 IntArray = NDArray[np.int64]
 

@@ -19,7 +19,7 @@ from hh_exudyn.multibody.model import (
 )
 from hh_exudyn.multibody.vectors import add_to, cross, rotate, rotate_back, rotation_matrix, triple
 from track.alignment import locate, rotation, track_frame
-from track.flexibility import track_forces
+from track.substructure import track_forces
 
 _FORCE = int(Ledger.COUPLER_FORCE)
 _COUPLER = int(Ledger.COUPLER_POWER)
@@ -199,7 +199,7 @@ def _generalized_forces(model: SystemModel, work: Workspace, q: FloatArray, v: F
             k = first_track(model) + TRACK_COORDINATES * w
             end = k + TRACK_COORDINATES
             work.ledger[_DAMPER] += track_forces(
-                model.track, q[k:end], v[k:end], work.rail_force[w], result[k:end]
+                model.track, work.arc_length[w], q[k:end], v[k:end], work.rail_force[w], result[k:end]
             )
         k = first_creep(model) + CREEP_COORDINATES * w
         for side in range(2):

@@ -11,6 +11,7 @@ from hh_exudyn.contact.profile import gauge_point, rail_profile
 from hh_exudyn.conventions import GRAVITY, RAIL_TOP_DISTANCE
 from hh_exudyn.multibody.simulate import simulate
 from track.alignment import rotation, track_frame
+from track.flexibility import track_flexibility
 from vehicles.catalogue import vehicle
 from vehicles.description import AxleBoxPad
 
@@ -20,6 +21,7 @@ ROLL = np.arcsin(CANT / RAIL_TOP_DISTANCE)
 WAGON = vehicle("iore_wagon_loaded")
 
 
+ROWS = np.full(9, 1.0 / 9.0)  # rows of 4 ms at 60 km/h: 0.6 m, a sleeper spacing
 WINDOW = 4.0  # s at the end: several swings of the sway that dry friction, stuck, leaves to ring
 
 
@@ -29,17 +31,37 @@ def contact(demo_run):
 
 
 def test_the_run_settles(demo_run):
-    """What is left of the curve entry is a sway below 2 % of the wheel load, and it dies away."""
+    """What is left of the curve entry is a sway below 2 % of the wheel load, and it dies away.
+
+    In means over nine rows, which are one sleeper spacing: what passing sleepers do goes on.
+    """
     log = table(demo_run, "contact")
     for w in (1, 2, 3, 4):
         for side in (1, -1):
             wheel = (log.patch == 0) & (log.wheelset == w) & (log.side == side)
             before, after = (
-                np.ptp(log.Q[wheel & (log.time > end - 2.0) & (log.time <= end)])
+                np.ptp(np.convolve(log.Q[wheel & (log.time > end - 2.0) & (log.time <= end)], ROWS, "valid"))
                 for end in (log.time.max() - WINDOW, log.time.max())
             )
             assert after < 0.8 * before
             assert after < 0.02 * 147e3
+
+
+def test_sleepers_pass_at_speed_over_spacing(contact):
+    """Above 10 Hz the wheel load's spectrum has its peak there, some tenths of a per cent of the load."""
+    sleepers = track_flexibility("concrete").sleeper_spacing
+    for w in (1, 2, 3, 4):
+        for side in (1, -1):
+            wheel = (contact.patch == 0) & (contact.wheelset == w) & (contact.side == side)
+            load, time = contact.Q[wheel], contact.time[wheel]
+            window = np.hanning(load.size)
+            amplitude = 2.0 * np.abs(np.fft.rfft((load - load.mean()) * window)) / window.sum()
+            frequency = np.fft.rfftfreq(load.size, np.diff(time).mean())
+            amplitude[frequency < 10.0] = 0.0
+            peak = np.argmax(amplitude)
+            passing = contact.speed[wheel].mean() / sleepers
+            assert frequency[peak] == pytest.approx(passing, abs=1.0 / (time[-1] - time[0]))
+            assert 0.2e3 < amplitude[peak] < 2e3
 
 
 def test_lateral_forces_carry_the_cant_deficiency(contact):

@@ -141,7 +141,7 @@ def straight(case, damping):
 
 
 def test_the_largest_contact_damping_allowed_is_stable(demo, runs):
-    """150 kN x 3 s/m on a rail of 200 kg is h lambda = 1.1 at 0.5 ms: the wheels carry the weight evenly."""
+    """150 kN x 3 s/m on a rail of 150 kg is h lambda = 1.5 at 0.5 ms: the wheels carry the weight evenly."""
     contact = table(simulate(straight(demo, 3.0), runs / "damped"), "contact")
     first = contact.patch == 0
     loads = contact.Q[first].sum() / np.unique(contact.time).size

@@ -1,0 +1,200 @@
+"""A track on sleepers as sources give it, and the exact response of its rails at one place.
+
+The rail is a Timoshenko beam (shear and rotary inertia; Timoshenko 1921) on supports one sleeper spacing d
+apart, without end. Of the two rails only two cases are needed: both loaded `alike`, or `opposite`, where
+vertically the sleeper rolls and laterally it rests while the gauge widens. With deflection w, rotation theta,
+moment M and shear force V the beam is, at the angular frequency omega,
+
+    w' = theta + V / (kappa G A),   theta' = M / (E I)                                                    (1)
+    M' = -V - rho I omega^2 theta,   V' = -rho A omega^2 w                                                (2)
+
+so a field y = (w, theta, M, V) goes over a length x by exp(A x), over a support of dynamic stiffness K by
+V+ = V- + K w, and over one spacing by a matrix whose eigenvectors are the waves of the periodic track. Those
+that fade to the right and to the left, joined where a unit force makes V jump, give the receptance. This is
+exact at any frequency, at rest too; for d -> 0 it tends to Winkler's even foundation (Zimmermann 1888).
+"""
+
+import math
+import tomllib
+from dataclasses import dataclass, fields
+from functools import cache
+from importlib import resources
+from typing import Any, Literal
+
+import numpy as np
+from scipy.linalg import expm
+
+Direction = Literal["lateral", "vertical"]
+Loading = Literal["alike", "opposite"]
+
+
+@dataclass(frozen=True)
+class SleeperTrack:
+    """A track on sleepers as sources give it. Pad, ballast and subgrade values are per RAIL SEAT.
+
+    Raises ValueError for a value that is not positive and finite.
+    """
+
+    young_modulus: float
+    shear_modulus: float
+    rail_inertia_vertical: float
+    rail_inertia_lateral: float
+    rail_area: float
+    rail_shear_coefficient: float
+    rail_mass_per_length: float
+    sleeper_spacing: float
+    pad_stiffness_lateral: float
+    pad_stiffness_vertical: float
+    pad_damping_lateral: float
+    pad_damping_vertical: float
+    sleeper_mass: float
+    sleeper_length: float
+    ballast_mass: float
+    ballast_stiffness_lateral: float
+    ballast_stiffness_vertical: float
+    ballast_damping_lateral: float
+    ballast_damping_vertical: float
+    subgrade_stiffness_vertical: float
+    subgrade_damping_vertical: float
+    rail_spacing_half: float
+
+    def __post_init__(self) -> None:
+        for item in fields(self):
+            value = getattr(self, item.name)
+            if not 0.0 < value < math.inf:
+                name = f"{item.name} of SleeperTrack"
+                raise ValueError(f"{name} is {value} {UNITS[item.name]}, it must be positive and finite")
+
+    @property
+    def bed_stiffness_vertical(self) -> float:
+        """Ballast and subgrade in series, per rail seat [N/m]."""
+        return series(self.ballast_stiffness_vertical, self.subgrade_stiffness_vertical).real
+
+    @property
+    def roll_ratio(self) -> float:
+        """Roll stiffness of an even bed over that of springs below the rails, l^2 / 12 / seat^2 [-]."""
+        return self.sleeper_length**2 / 12.0 / self.rail_spacing_half**2
+
+    def support(self, direction: Direction, loading: Loading, omega: float) -> complex:
+        """Dynamic stiffness of one rail seat [N/m] at an angular frequency [rad/s].
+
+        The sleeper is rigid, an even bar on an even bed. Laterally the ballast holds it without moving along.
+        """
+        half_sleeper = -(omega**2) * 0.5 * self.sleeper_mass
+        if direction == "lateral":
+            pad = self.pad_stiffness_lateral + 1j * omega * self.pad_damping_lateral
+            if loading == "opposite":
+                return pad
+            ballast = self.ballast_stiffness_lateral + 1j * omega * self.ballast_damping_lateral
+            return series(pad, ballast + half_sleeper)
+        pad = self.pad_stiffness_vertical + 1j * omega * self.pad_damping_vertical
+        ballast = self.ballast_stiffness_vertical + 1j * omega * self.ballast_damping_vertical
+        ground = self.subgrade_stiffness_vertical + 1j * omega * self.subgrade_damping_vertical
+        below = series(ballast, ground - omega**2 * self.ballast_mass) + half_sleeper
+        return series(pad, below * (self.roll_ratio if loading == "opposite" else 1.0))
+
+    def receptance(
+        self, direction: Direction, loading: Loading, frequency: float, after_sleeper: float
+    ) -> complex:
+        """Displacement of a rail per unit force on each rail, below the force [m/N].
+
+        Parameters
+        ----------
+        direction, loading : of the forces
+        frequency : [Hz], >= 0
+        after_sleeper : place of the forces after a sleeper [m], from 0 to the sleeper spacing
+
+        Raises
+        ------
+        ValueError
+            Frequency or place out of range.
+        """
+        if not 0.0 <= frequency < math.inf:
+            raise ValueError(f"frequency is {frequency} Hz, it must be >= 0 and finite")
+        if not 0.0 <= after_sleeper <= self.sleeper_spacing:
+            raise ValueError(
+                f"after_sleeper is {after_sleeper} m, it must be from 0 to {self.sleeper_spacing} m"
+            )
+        omega = 2.0 * math.pi * frequency
+        inertia = self.rail_inertia_lateral if direction == "lateral" else self.rail_inertia_vertical
+        bending = self.young_modulus * inertia
+        shear = self.rail_shear_coefficient * self.shear_modulus * self.rail_area
+        mass = self.rail_mass_per_length
+        beam = np.zeros((4, 4))  # moments and forces over the bending stiffness
+        beam[0, 1], beam[0, 3] = 1.0, bending / shear  # (1)
+        beam[1, 2] = 1.0
+        beam[2, 1], beam[2, 3] = -mass * inertia / self.rail_area * omega**2 / bending, -1.0  # (2)
+        beam[3, 0] = -mass * omega**2 / bending
+        support = np.eye(4, dtype=np.complex128)
+        support[3, 0] = self.support(direction, loading, omega) / bending
+        cell = expm(beam * after_sleeper) @ support @ expm(beam * (self.sleeper_spacing - after_sleeper))
+        factors, waves = np.linalg.eig(cell)
+        order = np.argsort(np.abs(factors))  # two fade to the right, two to the left
+        joined = np.hstack([waves[:, order[:2]], -waves[:, order[2:]]])
+        amplitudes = np.linalg.solve(joined, [0.0, 0.0, 0.0, -1.0 / bending])
+        return complex(waves[0, order[:2]] @ amplitudes[:2])
+
+
+def series(first: complex, second: complex) -> complex:
+    """Stiffness of two springs in series [N/m]."""
+    return first * second / (first + second)
+
+
+def _unit(name: str) -> str:
+    """SI unit of a field, from its name."""
+    for part, unit in (
+        ("stiffness", "N/m"),
+        ("damping", "N s/m"),
+        ("mass_per_length", "kg/m"),
+        ("mass", "kg"),
+        ("modulus", "Pa"),
+        ("inertia", "m4"),
+        ("area", "m2"),
+        ("coefficient", "-"),
+    ):
+        if part in name:
+            return unit
+    return "m"
+
+
+UNITS = {item.name: _unit(item.name) for item in fields(SleeperTrack)}
+
+
+@cache
+def _tables() -> dict[str, Any]:
+    """The file of parameter sets."""
+    return tomllib.loads((resources.files("track") / "data" / "flexibility.toml").read_text(encoding="utf-8"))
+
+
+def sleeper_track(name: str) -> SleeperTrack:
+    """The track on sleepers of a parameter set in `track/data/flexibility.toml`.
+
+    A set may be `based_on` another: it then gives numbers of its own, or a `factor` on the other's.
+
+    Raises
+    ------
+    ValueError
+        Unknown name (lists the known ones); a number without unit, or without a source or an assumption.
+    """
+    sets = _tables()
+    if name not in sets:
+        raise ValueError(f"track flexibility {name!r} is not known, there are: {', '.join(sorted(sets))}")
+    base = sets[name].get("based_on")
+    values = {} if base is None else vars(sleeper_track(base)).copy()
+    for key, entry in sets[name].items():
+        if key in ("description", "based_on"):
+            continue
+        if key not in UNITS:
+            raise ValueError(f"{key} of track {name!r} is not known, there are: {', '.join(sorted(UNITS))}")
+        if ("source" in entry) == ("assumed" in entry):
+            raise ValueError(f"{key} of track {name!r} needs either a source or assumed")
+        if "factor" in entry and key in values:
+            values[key] *= float(entry["factor"])
+        elif "value" in entry and entry.get("unit") == UNITS[key]:
+            values[key] = float(entry["value"])
+        else:
+            raise ValueError(f"{key} of track {name!r} needs a value and the unit {UNITS[key]}")
+    missing = sorted(UNITS.keys() - values.keys())
+    if missing:
+        raise ValueError(f"{missing[0]} of track {name!r} needs a value and the unit {UNITS[missing[0]]}")
+    return SleeperTrack(**values)
