@@ -61,7 +61,7 @@ class CentreLine:
 
 def fit_centre_line(
     points: FloatArray,
-    wavelength: float = 100.0,
+    wavelength: float = 80.0,
     largest_deviation: float = 0.1,
     balance_speed: float = 0.0,
     largest_cant: float = 0.150,
@@ -99,9 +99,10 @@ def fit_centre_line(
                 f"point {worst + 1} lies {abs(values[worst]):.3g} m {name} from the smoothed line, allowed "
                 f"is {largest_deviation:g} m: an outlier, or wavelength {wavelength:g} m is too long"
             )
-    length = np.diff(np.append(h * np.arange(math.ceil(s[-1] / h)), s[-1]))
+    # the last cell ends at the last point: it is 0.1 to 1.1 knot distances long
+    length = np.diff(np.append(h * np.arange(math.ceil(s[-1] / h - 0.1)), s[-1]))
     n = length.size
-    share = length[-1] / h  # of the last cell that the points reach
+    share = length[-1] / h
     curvature, slope = chain[: n + 1, 3].copy(), gradient[: n + 1].copy()
     for values in (curvature, slope):
         values[n] = values[n - 1] + share * (values[n] - values[n - 1])
@@ -157,7 +158,8 @@ def _fit_plan(
     m = math.ceil(s[-1] / h) + 2
     chain = _first_chain(points, s, h, m)
     weight = _weights(s)
-    first = np.arange(m - 1)
+    ends, one = np.arange(m - 1), np.ones(m - 1)
+    rate = _rows(4, m, (ends + 1, 3, one), (ends, 3, -one)) * math.sqrt(1.0 / h)
     for _ in range(_STEPS):
         j = np.minimum((s / h).astype(int), m - 2)
         u = s - h * j
@@ -169,28 +171,39 @@ def _fit_plan(
         forward = c * offset[:, 0] + n * offset[:, 1]
         late = u**3 / (6.0 * h)  # how far curvature at the next knot turns the point aside
         model = _rows(4, m, (j, 0, -n), (j, 1, c), (j, 2, u), (j, 3, 0.5 * u**2 - late), (j + 1, 3, late))
-        ahead, aside, turn = _along(chain, first, np.full(m - 1, h), h)
-        c, n = np.cos(chain[:-1, 2]), np.sin(chain[:-1, 2])
-        way = np.column_stack([c * ahead - n * aside, n * ahead + c * aside, turn])
-        gap = chain[1:, :3] - chain[:-1, :3] - way
-        one = np.ones(m - 1)
-        joint = sparse.vstack([
-            _rows(4, m, (first + 1, 0, one), (first, 0, -one), (first, 2, way[:, 1]),
-                  (first, 3, n * h**2 / 3.0), (first + 1, 3, n * h**2 / 6.0)),
-            _rows(4, m, (first + 1, 1, one), (first, 1, -one), (first, 2, -way[:, 0]),
-                  (first, 3, -c * h**2 / 3.0), (first + 1, 3, -c * h**2 / 6.0)),
-            _rows(4, m, (first + 1, 2, one), (first, 2, -one),
-                  (first, 3, -0.5 * h * one), (first + 1, 3, -0.5 * h * one)),
-            _rows(4, m, (np.zeros(1, int), 0, c[:1]), (np.zeros(1, int), 1, n[:1])),  # s = 0 beside point 1
-        ])  # fmt: skip
-        start = c[0] * (points[0, 0] - chain[0, 0]) + n[0] * (points[0, 1] - chain[0, 1])
-        rate = _rows(4, m, (first + 1, 3, one), (first, 3, -one)) * math.sqrt(1.0 / h)
-        step = _constrained(model, weight, across, rate, wavelength, joint, np.append(-gap.T.ravel(), start), chain)
+        joint, closing = _joints(chain, h, points[0])
+        step = _constrained(model, weight, across, rate, wavelength, joint, closing, chain)
         chain = chain + step
         s = np.clip(s + forward / (1.0 - chain[j, 3] * across), 0.0, h * (m - 1))
         if max(np.abs(step[:, :2]).max(), np.abs(forward[1:]).max()) < _CONVERGED:
             return chain, s, across
     raise ValueError("no smooth line along the points was found: are they in the order of the track?")
+
+
+def _joints(chain: FloatArray, h: float, start: FloatArray) -> tuple[sparse.csr_matrix, FloatArray]:
+    """Equations of a chain without gaps and corners that begins beside the first point, for a step of it.
+
+    Its derivatives by the curvatures are those of a straight cell, which costs a Gauss-Newton step, no error.
+    """
+    m = len(chain)
+    first, one = np.arange(m - 1), np.ones(m - 1)
+    ahead, aside, turn = _along(chain, first, h * one, h)
+    c, n = np.cos(chain[:-1, 2]), np.sin(chain[:-1, 2])
+    way = np.column_stack([c * ahead - n * aside, n * ahead + c * aside, turn])
+    gap = chain[1:, :3] - chain[:-1, :3] - way
+    near, far = h**2 / 3.0, h**2 / 6.0  # how far the curvatures at both knots turn the next knot aside
+    half = 0.5 * h * one
+    zero = np.zeros(1, dtype=int)
+    joint = sparse.vstack([
+        _rows(4, m, (first + 1, 0, one), (first, 0, -one), (first, 2, way[:, 1]),
+              (first, 3, near * n), (first + 1, 3, far * n)),
+        _rows(4, m, (first + 1, 1, one), (first, 1, -one), (first, 2, -way[:, 0]),
+              (first, 3, -near * c), (first + 1, 3, -far * c)),
+        _rows(4, m, (first + 1, 2, one), (first, 2, -one), (first, 3, -half), (first + 1, 3, -half)),
+        _rows(4, m, (zero, 0, c[:1]), (zero, 1, n[:1])),
+    ])  # fmt: skip
+    offset = c[0] * (start[0] - chain[0, 0]) + n[0] * (start[1] - chain[0, 1])
+    return joint, np.append(-gap.T.ravel(), offset)
 
 
 def _fit_heights(
@@ -206,15 +219,15 @@ def _fit_heights(
     model = _rows(2, m, (j, 0, np.ones(s.size)), (j, 1, u - late), (j + 1, 1, late))
     first = np.arange(m - 1)
     one = np.ones(m - 1)
-    joint = _rows(
-        2, m, (first + 1, 0, one), (first, 0, -one), (first, 1, -0.5 * h * one), (first + 1, 1, -0.5 * h * one)
-    )
+    half = -0.5 * h * one
+    joint = _rows(2, m, (first + 1, 0, one), (first, 0, -one), (first, 1, half), (first + 1, 1, half))
     inner = first[1:]
     two = np.ones(m - 2)
     bend = _rows(2, m, (inner - 1, 1, two), (inner, 1, -2.0 * two), (inner + 1, 1, two)) * math.sqrt(h**-3)
-    level = points[0, 2]  # heights over the sea would cost digits
-    state = _constrained(model, _weights(s), points[:, 2] - level, bend, wavelength, joint, np.zeros(m - 1), state)
-    return state[:, 0] + level, state[:, 1], points[:, 2] - level - model @ state.ravel()
+    level = points[0, 2]
+    over = points[:, 2] - level
+    state = _constrained(model, _weights(s), over, bend, wavelength, joint, np.zeros(m - 1), state)
+    return state[:, 0] + level, state[:, 1], over - model @ state.ravel()
 
 
 def _constrained(
@@ -227,9 +240,9 @@ def _constrained(
     closing: FloatArray,
     now: FloatArray,
 ) -> FloatArray:
-    """Step of least squares: minimise |model d - target|^2 weighted + penalty of (now + d), joint d = closing.
+    """The step d that minimises |model d - target|^2 (weighted) + penalty of now + d, with joint d = closing.
 
-    Solved by its Lagrange equations, which are sparse.
+    Solved by the Lagrange equations, which are sparse.
     """
     stiff = (wavelength / (2.0 * math.pi)) ** 6 * (penalty.T @ penalty)
     weighted = model.T @ sparse.diags(weight)

@@ -98,8 +98,8 @@ def track_frame(table: AlignmentTable, s: float) -> tuple[float, float, float, f
 
     Returns x, y, z [m] of its origin (centre line, running plane; global frame), heading about Z [rad], roll
     about the forward axis [rad] (negative in a canted left-hand curve: the right rail is higher), curvature
-    in plan [1/m], gauge [m]. All NaN outside the table. The rotation T to global is `rotation(heading, roll)`;
-    on a gradient see `inclined_frame`.
+    in plan [1/m], gauge [m]. All NaN outside the table. The rotation T to global is
+    `rotation(heading, roll)`; on a gradient see `inclined_frame`.
     """
     i = _cell(table, s)
     if i < 0:
