@@ -8,25 +8,42 @@ from numpy.typing import NDArray
 
 
 class Node(IntEnum):
-    """Columns of the nodes of an alignment table, SI units."""
+    """Columns of the nodes of an alignment table, SI units.
 
-    S = 0  # arc length [m]
+    With u = s - S, curvature, cant, gauge and gradient between a node and the next are cubics in u: the
+    column of the name is the value at the node, `_1` to `_3` are the coefficients of u, u^2 and u^3.
+    """
+
+    S = 0  # arc length in plan [m]
     X = 1  # global position [m]
     Y = 2
-    HEADING = 3  # about Z from +X, not wrapped [rad]
-    FORWARD_X = 4  # cos and sin of the heading [-]
-    FORWARD_Y = 5
-    CURVATURE = 6  # positive in left-hand curves [1/m]
-    CANT = 7  # positive where the RIGHT rail is the higher one [m]
-    GAUGE = 8  # [m]
+    Z = 3
+    HEADING = 4  # about Z from +X, not wrapped [rad]
+    FORWARD_X = 5  # cos and sin of the heading [-]
+    FORWARD_Y = 6
+    CURVATURE = 7  # in plan, positive in left-hand curves [1/m]
+    CURVATURE_1 = 8
+    CURVATURE_2 = 9
+    CURVATURE_3 = 10
+    CANT = 11  # positive where the RIGHT rail is the higher one [m]
+    CANT_1 = 12
+    CANT_2 = 13
+    CANT_3 = 14
+    GAUGE = 15  # [m]
+    GAUGE_1 = 16
+    GAUGE_2 = 17
+    GAUGE_3 = 18
+    GRADIENT = 19  # dz/ds, positive uphill [-]
+    GRADIENT_1 = 20
+    GRADIENT_2 = 21
+    GRADIENT_3 = 22
 
 
 class AlignmentTable(NamedTuple):
     """The centre line at nodes no farther apart than `step`; every section boundary is a node.
 
-    Between two nodes curvature, cant and gauge are linear. One array holds all nodes: a row is read at once,
-    and few arrays cross the Python border fast. `cell` finds the node in front of s without a search. The
-    columns by name are for Python only.
+    One array holds all nodes: a row is read at once, and few arrays cross the Python border fast. `cell`
+    finds the node in front of s without a search. The columns by name are for Python only.
     """
 
     start: float  # arc length of the first node [m], minus the lead-in
@@ -51,6 +68,11 @@ class AlignmentTable(NamedTuple):
         return self.nodes[:, Node.Y]
 
     @property
+    def z(self) -> NDArray[np.float64]:
+        """Global z of the nodes [m]."""
+        return self.nodes[:, Node.Z]
+
+    @property
     def heading(self) -> NDArray[np.float64]:
         """Headings at the nodes [rad]."""
         return self.nodes[:, Node.HEADING]
@@ -69,3 +91,8 @@ class AlignmentTable(NamedTuple):
     def gauge(self) -> NDArray[np.float64]:
         """Gauges at the nodes [m]."""
         return self.nodes[:, Node.GAUGE]
+
+    @property
+    def gradient(self) -> NDArray[np.float64]:
+        """Gradients at the nodes, positive uphill [-]."""
+        return self.nodes[:, Node.GRADIENT]

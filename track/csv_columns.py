@@ -1,0 +1,80 @@
+"""Reading tables of numbers whose header names carry their units (``length_m``, ``cant_mm``)."""
+
+import csv
+import math
+from collections.abc import Collection
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class CsvRow:
+    """One row of a table: where it stands, and its fields as text by column name."""
+
+    source: str
+    line: int
+    fields: dict[str, str]
+
+    def error(self, message: str) -> ValueError:
+        """A ValueError that says where the row stands."""
+        return ValueError(f"{self.source}, line {self.line}: {message}")
+
+    def number(self, name: str, low: float, high: float) -> float:
+        """The number in column `name`, `low` to `high` in the unit that the name carries.
+
+        Raises ValueError with line, name, value and allowed range where it is missing, no number or outside.
+        """
+        text = self.fields[name]
+        allowed = f"allowed are numbers from {low:g} to {high:g}"
+        if not text:
+            raise self.error(f"{name} is missing, {allowed}")
+        try:
+            value = float(text)
+        except ValueError:
+            raise self.error(f"{name} is {text!r}, {allowed}") from None
+        if not low <= value <= high or math.isnan(value):
+            raise self.error(f"{name} is {text}, {allowed}")
+        return value
+
+
+def read_columns(path: str | Path, needed: Collection[str], optional: Collection[str] = ()) -> list[CsvRow]:
+    """Rows of a comma separated file with one header line; lines that begin with ``#`` are comments.
+
+    Raises
+    ------
+    ValueError
+        The file cannot be read or has no rows, a column is missing, unknown or double, or a row has too few
+        or too many fields. Names file, line and column.
+    """
+    source = str(path)
+    try:
+        lines = Path(path).read_text(encoding="utf-8-sig").splitlines()
+    except OSError as error:
+        raise ValueError(f"{source}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{source}: is not a text file in UTF-8: {error.reason}") from None
+    kept = [
+        (i, line) for i, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith("#")
+    ]
+    rows = [(i, [part.strip() for part in next(csv.reader([line]))]) for i, line in kept]
+    if len(rows) < 2:
+        raise ValueError(f"{source}: has no rows, a header line and one row or more are needed")
+    line, header = rows[0]
+    known = [*needed, *optional]
+    for name in header:
+        if name not in known:
+            near = get_close_matches(name, known, n=1)
+            hint = f", {near[0]} meant?" if near else ""
+            raise ValueError(
+                f"{source}, line {line}: unknown column {name!r}, known are {', '.join(known)}{hint}"
+            )
+        if header.count(name) > 1:
+            raise ValueError(f"{source}, line {line}: column {name} is there {header.count(name)} times")
+    for name in needed:
+        if name not in header:
+            raise ValueError(f"{source}, line {line}: column {name} is missing")
+    for line, fields in rows[1:]:
+        if len(fields) != len(header):
+            raise ValueError(f"{source}, line {line}: has {len(fields)} fields, {len(header)} are needed")
+    return [CsvRow(source, line, dict(zip(header, fields, strict=True))) for line, fields in rows[1:]]
