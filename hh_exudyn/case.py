@@ -170,7 +170,8 @@ class Case(CaseTable):
         for section in sections:
             if "hand" in section:
                 section["hand"] = other[section["hand"]]
-        return self.with_changes(track={"sections": sections})
+        mirrored = not self.track.irregularity_mirrored
+        return self.with_changes(track={"sections": sections, "irregularity_mirrored": mirrored})
 
     def with_changes(self, /, **changes: Any) -> "Case":
         """A changed copy, checked again.
@@ -206,7 +207,11 @@ class Case(CaseTable):
         except tomllib.TOMLDecodeError as error:
             raise CaseError(f"{source}: not valid TOML: {error}") from None
         if folder is not None:
-            for table, key in ((data, "wheel_profile"), (data.get("track"), "rail")):
+            for table, key in (
+                (data, "wheel_profile"),
+                (data.get("track"), "rail"),
+                (data.get("track"), "irregularity"),
+            ):
                 name = table.get(key) if isinstance(table, dict) else None
                 if isinstance(table, dict) and isinstance(name, str) and is_path(name):
                     table[key] = str((folder / name).resolve())

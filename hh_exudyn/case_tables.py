@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
@@ -12,10 +13,16 @@ from hh_exudyn.contact.profile import Profile, read_rail_profile
 from hh_exudyn.conventions import NOMINAL_GAUGE
 from track.alignment import Curve, Straight, Transition
 from track.flexibility import track_flexibility
+from track.irregularity import Irregularity, random_irregularity
+from track.irregularity_csv import read_irregularity
 from track.rails import Rails
+from track.spectra import spectrum_names
 
+LONGEST_WAVELENGTH = 70.0  # m, of random irregularities
+SHORTEST_IRREGULAR = 100.0  # m, of a random track: fading in and out takes 50 m each
 LARGEST_GAUGE_MM = 1470.0  # beyond it a wheel may drop between the rails
 RIGID = "rigid"  # the flexibility of a track without any
+SMOOTH = "none"  # the irregularity of a track without any
 
 
 def number(unit: str, low: float, high: float, default: Any = ...) -> Any:
@@ -84,11 +91,21 @@ Section = Annotated[StraightCase | TransitionCase | CurveCase, Field(discriminat
 
 
 class TrackCase(CaseTable):
-    """Rails, their foundation, and the alignment section by section."""
+    """Rails, their foundation, irregularities, and the alignment section by section.
+
+    `irregularity` is ``"none"``, a spectrum (`track.spectra.spectrum_names`) of which `irregularity_seed`
+    draws a random track with wavelengths from `irregularity_shortest_m` to 70 m, or a measured file
+    (`track.irregularity_csv`). It begins ahead of the vehicle, faded in over 50 m.
+    """
 
     rail: str = "60E1"
     inclination: str | float = Field(default="1:30", json_schema_extra={"allowed": '"1:15" to "1:100", or 0'})
     flexibility: str = "concrete"
+    irregularity: str = SMOOTH
+    irregularity_seed: int = number("-", 0, 2**31 - 1, 1)
+    irregularity_shortest_m: float = number("m", 0.5, 25, 3.0)
+    irregularity_scale: float = number("-", 0, 10, 1.0)
+    irregularity_mirrored: bool = False
     sections: tuple[Section, ...] = Field(
         strict=False, min_length=1, json_schema_extra={"allowed": "one or more sections"}
     )
@@ -119,6 +136,44 @@ class TrackCase(CaseTable):
             except ValueError as error:
                 raise ValueError(f"{error}, {RIGID}") from None
         return value
+
+    @field_validator("irregularity")
+    @classmethod
+    def _check_irregularity(cls, value: str) -> str:
+        if is_path(value):
+            _measured(value)
+        elif value != SMOOTH and value not in spectrum_names():
+            raise ValueError(f"allowed {', '.join((SMOOTH, *spectrum_names()))}, or a file (.csv)")
+        return value
+
+    def irregular(self, start: float, end: float) -> Irregularity | None:
+        """The irregularities from arc length `start` to `end` [m]; None on smooth track.
+
+        Raises
+        ------
+        ValueError
+            The stretch is shorter than 100 m, too short for a random track.
+        """
+        if self.irregularity == SMOOTH:
+            return None
+        if is_path(self.irregularity):
+            found = replace(_measured(self.irregularity), start=start)
+        else:
+            if end - start < SHORTEST_IRREGULAR:
+                raise ValueError(
+                    f"track.irregularity: {end - start:.4g} m of track ahead of the vehicle, allowed from "
+                    f"{SHORTEST_IRREGULAR:g} m"
+                )
+            found = random_irregularity(
+                self.irregularity,
+                end - start,
+                self.irregularity_seed,
+                wavelengths=(self.irregularity_shortest_m, LONGEST_WAVELENGTH),
+                step=self.irregularity_shortest_m / 12.0,
+                start=start,
+            )
+        found = replace(found, values=found.values * self.irregularity_scale)
+        return found.mirrored() if self.irregularity_mirrored else found
 
     @property
     def rail_inclination(self) -> float:
@@ -187,6 +242,14 @@ def read_profile(reader: Callable[[Path], Profile], path: str) -> Profile:
     """Read a profile; a file that may not be read is bad input too."""
     try:
         return reader(Path(path))
+    except OSError as error:
+        raise ValueError(f"cannot be read: {error.strerror}") from None
+
+
+def _measured(path: str) -> Irregularity:
+    """Read a file of irregularities; one that may not be read is bad input too."""
+    try:
+        return read_irregularity(path)
     except OSError as error:
         raise ValueError(f"cannot be read: {error.strerror}") from None
 

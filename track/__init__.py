@@ -19,7 +19,7 @@ How even it is
 
 What lies on it
     `rails`               which rail profile lies left and right, by country, radius and wear; gauge
-    `friction`            coefficient by section, zone of the wheel, weather, treatment and slip speed (kernel)
+    `friction`            coefficient by section, zone of the wheel, weather and slip speed (kernel)
 
 What gives way
     `sleepers`            parameter sets of tracks on sleepers, exact receptance of their rails
@@ -27,7 +27,7 @@ What gives way
     `substructure`        rails on pads on a sleeper on ballast under one wheelset: forces (kernel)
 
 A whole line
-    `line`                its statistics (`read_line`, a TOML file) as weighted track sections (`load_sections`)
+    `line`                its statistics (`read_line`, TOML) as weighted track sections (`load_sections`)
     `line_data`           what a line's file holds; `line_file` reads and checks it
     `data_file`           data files read strictly, every number with unit, range and source
 """

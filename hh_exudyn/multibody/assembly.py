@@ -26,6 +26,7 @@ from hh_exudyn.multibody.model import (
 )
 from track.alignment import Alignment, track_frame
 from track.flexibility import track_flexibility
+from track.irregularity_table import IrregularityTable, smooth_track
 from vehicles.description import AxleBoxPad, CentrePlate, Coupling, SideBearer, SpringNest, Vehicle, Wedge
 
 SHORTEST_TRANSITION = 5e-3  # m, a wheel about to lift off has a patch too short for any time step
@@ -55,6 +56,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         wheel_rail=case.contact_model(vehicle),
         friction=np.full((len(vehicle.wheelsets), 2), case.friction),
         alignment=alignment.table,
+        irregularity=_irregularity(vehicle, case, alignment),
         flexible=flexible,
         track=flexibility.parameters(),
         shortest_transition=max(
@@ -67,7 +69,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
 
 def _require_straight_start(vehicle: Vehicle, alignment: Alignment) -> None:
     """The equilibrium at the start is that of straight track: no heading and cant up to the front."""
-    front = start_middle(vehicle) + max(point[0] for point in vehicle.coupler.points)
+    front = start_front(vehicle)
     _, _, _, heading, roll, _, _ = track_frame(alignment.table, front)
     if abs(heading) > 1e-6 or abs(roll) > 1e-6:
         raise ValueError(
@@ -79,6 +81,20 @@ def _require_straight_start(vehicle: Vehicle, alignment: Alignment) -> None:
 def start_middle(vehicle: Vehicle) -> float:
     """Arc length of the vehicle's middle at the start [m]: its rear head stands just after s = 0."""
     return START_MARGIN - min(point[0] for point in vehicle.coupler.points)
+
+
+def start_front(vehicle: Vehicle) -> float:
+    """Arc length of the vehicle's front head at the start [m]."""
+    return start_middle(vehicle) + max(point[0] for point in vehicle.coupler.points)
+
+
+def _irregularity(vehicle: Vehicle, case: Case, alignment: Alignment) -> IrregularityTable:
+    """The irregularities ahead of the vehicle, which stands on smooth track at the start."""
+    irregular = case.track.irregular(start_front(vehicle), alignment.length)
+    if irregular is None:
+        return smooth_track()
+    irregular.check_spacing(case.speed, case.integration.step_ms * 1e-3)
+    return irregular.table()
 
 
 def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:

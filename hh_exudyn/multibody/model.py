@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, FloatArray, WheelRailModel
 from hh_exudyn.kernel import inlined_kernel
 from track.alignment import AlignmentTable
+from track.irregularity_table import IrregularityTable
 from track.substructure import TrackParameters
 
 IntArray = NDArray[np.int64]
@@ -90,6 +91,7 @@ class SystemModel(NamedTuple):
     wheel_rail: WheelRailModel
     friction: FloatArray  # (wheelsets, 2) left, right
     alignment: AlignmentTable
+    irregularity: IrregularityTable
     flexible: bool
     track: TrackParameters
     shortest_transition: float  # of the creepage, a lower bound of the semi-axis a [m]

@@ -19,6 +19,7 @@ from hh_exudyn.multibody.model import (
 )
 from hh_exudyn.multibody.vectors import add_to, cross, rotate, rotate_back, rotation_matrix, triple
 from track.alignment import locate, rotation, track_frame
+from track.irregularity_table import irregularity_at, rail_displacements
 from track.substructure import track_forces
 
 _FORCE = int(Ledger.COUPLER_FORCE)
@@ -153,12 +154,7 @@ def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: Floa
             row[0] = local[0]
             row[1] = local[1]
             row[2] = local[2]
-        if model.flexible:
-            k = first_track(model) + TRACK_COORDINATES * w
-            for side in range(2):
-                for axis in range(2):
-                    work.rail_displacement[w, side, axis] = q[k + 2 * side + axis]
-                    work.rail_velocity[w, side, axis] = v[k + 2 * side + axis]
+        _rail_states(model, work, q, v, w)
         k = first_creep(model) + CREEP_COORDINATES * w
         velocity = work.frame_velocity[w]
         turn = work.frame_angular_velocity[w]
@@ -169,6 +165,25 @@ def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: Floa
             sideways = velocity[1] - work.rail_velocity[w, side, 0]
             work.creep_lag[w, side, 0] = v[k + 2 * side] - ahead
             work.creep_lag[w, side, 1] = v[k + 2 * side + 1] - sideways
+
+
+@inlined_kernel
+def _rail_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArray, w: int) -> None:
+    """Where the rails under a wheelset lie and how they move: track irregularity, and what gives way."""
+    state = irregularity_at(model.irregularity, work.arc_length[w])
+    lies = rail_displacements(state[0], state[1], state[2], state[3])
+    rises = rail_displacements(state[4], state[5], state[6], state[7])
+    speed = work.frame_velocity[w, 0]
+    for side in range(2):
+        for axis in range(2):
+            work.rail_displacement[w, side, axis] = lies[2 * side + axis]
+            work.rail_velocity[w, side, axis] = speed * rises[2 * side + axis]
+    if model.flexible:
+        k = first_track(model) + TRACK_COORDINATES * w
+        for side in range(2):
+            for axis in range(2):
+                work.rail_displacement[w, side, axis] += q[k + 2 * side + axis]
+                work.rail_velocity[w, side, axis] += v[k + 2 * side + axis]
 
 
 @inlined_kernel
