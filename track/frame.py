@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hh_exudyn.conventions import RAIL_TOP_DISTANCE
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel, kernel
 from track.types import AlignmentTable, Node
 
 FloatArray = NDArray[np.float64]
@@ -21,14 +21,14 @@ _GAUSS_OUTER = 5.0 / 18.0
 _GAUSS_MIDDLE = 8.0 / 18.0
 
 
-@kernel
+@inlined_kernel
 def turn_in_cell(node: FloatArray, u: float) -> float:
     """Heading [rad] at u metres behind a node, less the node's: the integral of the cubic curvature."""
     c, d = node[Node.CURVATURE_2] * (1.0 / 3.0), node[Node.CURVATURE_3] * 0.25  # divisions are slow
     return u * (node[Node.CURVATURE] + u * (node[Node.CURVATURE_1] * 0.5 + u * (c + u * d)))
 
 
-@kernel
+@inlined_kernel
 def _cos_sin(turn: float) -> tuple[float, float]:
     """Cosine and sine of a small angle by their series, below 1e-16 for 0.02 rad."""
     square = turn * turn
@@ -38,7 +38,7 @@ def _cos_sin(turn: float) -> tuple[float, float]:
     )
 
 
-@kernel
+@inlined_kernel
 def shift_in_cell(node: FloatArray, u: float) -> tuple[float, float]:
     """Way ahead and aside [m] from a node, in the node's heading, to u metres behind it.
 
@@ -53,14 +53,14 @@ def shift_in_cell(node: FloatArray, u: float) -> tuple[float, float]:
     return ahead, aside
 
 
-@kernel
+@inlined_kernel
 def rise_in_cell(node: FloatArray, u: float) -> float:
     """Height [m] at u metres behind a node, less the node's: the integral of the cubic gradient."""
     c, d = node[Node.GRADIENT_2] * (1.0 / 3.0), node[Node.GRADIENT_3] * 0.25
     return u * (node[Node.GRADIENT] + u * (node[Node.GRADIENT_1] * 0.5 + u * (c + u * d)))
 
 
-@kernel
+@inlined_kernel
 def _cell(table: AlignmentTable, s: float) -> int:
     """Node at or before s, -1 where s is NaN or outside the table."""
     if not (table.start <= s <= table.end):
@@ -72,7 +72,7 @@ def _cell(table: AlignmentTable, s: float) -> int:
     return i
 
 
-@kernel
+@inlined_kernel
 def _centre(node: FloatArray, u: float) -> tuple[float, float, float, float]:
     """Position x, y [m], turn since the node [rad] and curvature [1/m] of the centre line."""
     ahead, aside = shift_in_cell(node, u)
@@ -84,7 +84,7 @@ def _centre(node: FloatArray, u: float) -> tuple[float, float, float, float]:
     return x, y, turn_in_cell(node, u), curvature
 
 
-@kernel
+@inlined_kernel
 def _gradient(node: FloatArray, u: float) -> float:
     """Gradient dz/ds [-] at u metres behind a node."""
     return node[Node.GRADIENT] + u * (
@@ -206,7 +206,7 @@ def inclined_locate(table: AlignmentTable, x: float, y: float, z: float, s_guess
     return math.nan
 
 
-@kernel
+@inlined_kernel
 def _seen_from(node: FloatArray, u: float, x: float, y: float) -> tuple[float, float, float]:
     """How far a point lies ahead and aside in plan [m] of the centre line, and the curvature there [1/m]."""
     x0, y0, turn, curvature = _centre(node, u)
