@@ -292,8 +292,8 @@ def field(patch: RollingPatch, fields: Fields) -> None:
 
     Slip is that of strip theory: rigid slip less the surface's own strain, zero in stick; its direction is
     opposite to the traction. Kalker's coefficients make the two strains differ a little from the rigid slip
-    in stick, so the slip of the whole patch is scaled (by 0.86..1.01 in nine of ten of the 185 cases) to
-    make friction dissipate the power of the creepages: sum of q.s dA = F_x nu_x + F_y nu_y + M phi. L1 error
+    in stick, so the slip of the whole patch is scaled (by 0.93..1.0 in the five exact fields) to make
+    friction dissipate the power of the creepages: sum of q.s dA = F_x nu_x + F_y nu_y + M phi. L1 error
     of |s| in the five exact fields, in %, with and without the scale, and that of FASTSIM: one creepage
     9.2, 9.2, 48; tread 25, 25, 65; spin 21, 26, 48; lateral creepage and spin 21, 22, 28; flange 14, 14, 23.
     """
