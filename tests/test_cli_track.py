@@ -92,9 +92,9 @@ def test_quality_of_a_rough_case_is_that_of_its_run(rough: Path, tmp_path: Path)
 
 def test_short_irregular_track_has_no_quality(tmp_path: Path, rough: Path) -> None:
     short = tmp_path / "short.toml"
-    samples = "\n".join(f"{0.25 * i},1,0,0,0" for i in range(200))
+    samples = "\n".join(f"{0.25 * i},{i % 7},{i % 5},{i % 3},{i % 4}" for i in range(200))
     (tmp_path / "measured.csv").write_text(
-        f"s_m,level_mm,alignment_mm,gauge_mm,cross_level_mm\n{samples}\n", encoding="utf-8"
+        f"position_m,level_mm,alignment_mm,gauge_mm,cross_level_mm\n{samples}\n", encoding="utf-8"
     )
     short.write_text(rough.read_text().replace('"erri_high"', '"measured.csv"'))
     result = call(short)
@@ -118,7 +118,7 @@ def test_line_from_a_file_and_another_vehicle() -> None:
     assert result.exit_code == 0, result.stderr
     assert cells(result.stdout, "all")[1:] == ["100.00", "12.00"]
     empty = call("malmbanan", "--vehicle", "iore_wagon_empty")
-    assert cells(empty.stdout, "straight +–")[6:8] == ["70", "0.0"]
+    assert cells(empty.stdout, "straight +–")[7:9] == ["70", "0.0"]
 
 
 def test_refusals(tmp_path: Path, demo: Path) -> None:
