@@ -12,23 +12,27 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.table import Table
 
-from hh_exudyn.cli_output import Refused, err, new_table, out, print_table, told
+from hh_exudyn.cli_output import (
+    NOTHING,
+    NewFigure,
+    Refused,
+    check,
+    err,
+    new_table,
+    number,
+    out,
+    print_table,
+    require_new_figure,
+    told,
+    write_figure,
+)
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
     from hh_exudyn.contact.profile import Profile
     from hh_exudyn.contact.steering import ConicityReport
     from hh_exudyn.contact.tangential import CreepForce, TractionField
     from hh_exudyn.figures.patch import PatchLoad
 
-FIGURES = (".png", ".pdf", ".svg")
-NOTHING = "–"  # in a table, where there is no such number
-
-NewFigure = Annotated[
-    Path | None,
-    typer.Option("--out", metavar="FIGURE", help="Write a figure to this new file (.png, .pdf, .svg)."),
-]
 validate = typer.Typer(help="Compare the toolkit with outside numbers.", no_args_is_help=True)
 
 
@@ -61,15 +65,15 @@ def patch(
 ) -> None:
     """Creep forces of one elliptic patch after every theory, side by side: a table and a figure."""
     with told():
-        _check("--a-mm", a_mm, 0.1, 100.0, "mm")
-        _check("--b-mm", b_mm, 0.1, 100.0, "mm")
-        _check("--load-kn", load_kn, 0.001, 1000.0, "kN")
-        _check("--nu-x", nu_x, -1.0, 1.0, "")
-        _check("--nu-y", nu_y, -1.0, 1.0, "")
-        _check("--spin", spin, -100.0, 100.0, "1/m")
-        _check("--friction", friction, 0.001, 2.0, "")
-        _check("--cells", cells, 5, 400, "")
-        _require_new_figure(figure)
+        check("--a-mm", a_mm, 0.1, 100.0, "mm")
+        check("--b-mm", b_mm, 0.1, 100.0, "mm")
+        check("--load-kn", load_kn, 0.001, 1000.0, "kN")
+        check("--nu-x", nu_x, -1.0, 1.0, "")
+        check("--nu-y", nu_y, -1.0, 1.0, "")
+        check("--spin", spin, -100.0, 100.0, "1/m")
+        check("--friction", friction, 0.001, 2.0, "")
+        check("--cells", cells, 5, 400, "")
+        require_new_figure(figure)
         names = _theories(theory or [])
         from hh_exudyn.contact.material import STEEL
         from hh_exudyn.contact.tangential import creep_force, traction_field
@@ -89,7 +93,7 @@ def patch(
             f"steel: G = {STEEL.shear_modulus * 1e-9:g} GPa, nu = {STEEL.poisson_ratio:g}"
         )
         if figure is not None:
-            _write_figure(patch_figure(load, forces, fields), figure)
+            write_figure(patch_figure(load, forces, fields), figure)
 
 
 def _patch_table(
@@ -117,10 +121,10 @@ def _patch_table(
             stresses = [f"{traction.max() * 1e-6:.0f}", f"{100.0 * share:.0f}"]
         table.add_row(
             name,
-            _number(force.x * 1e-3, 2),
-            _number(force.y * 1e-3, 2),
-            _number(force.moment, 2),
-            _number(100.0 * math.hypot(force.x, force.y) / limit, 1),
+            number(force.x * 1e-3, 2),
+            number(force.y * 1e-3, 2),
+            number(force.moment, 2),
+            number(100.0 * math.hypot(force.x, force.y) / limit, 1),
             *stresses,
         )
     return table
@@ -170,12 +174,12 @@ def conicity(
         gauges = sorted(set(gauge_mm or [1435.0]))
         amplitudes = sorted(set(amplitude_mm or map(float, range(1, 11))))
         for value in gauges:
-            _check("--gauge-mm", value, 500.0, 2000.0, "mm")
+            check("--gauge-mm", value, 500.0, 2000.0, "mm")
         for value in amplitudes:
-            _check("--amplitude-mm", value, 0.1, 20.0, "mm")
-        _check("--radius-mm", radius_mm, 100.0, 2000.0, "mm")
-        _check("--tape-distance-mm", tape_distance_mm, 300.0, 3000.0, "mm")
-        _require_new_figure(figure)
+            check("--amplitude-mm", value, 0.1, 20.0, "mm")
+        check("--radius-mm", radius_mm, 100.0, 2000.0, "mm")
+        check("--tape-distance-mm", tape_distance_mm, 300.0, 3000.0, "mm")
+        require_new_figure(figure)
         profiles = _wheel(wheel), _rail(rail, inclination)
         import numpy as np
 
@@ -203,7 +207,7 @@ def conicity(
         if figure is not None:
             from hh_exudyn.figures.conicity_sheet import conicity_sheet
 
-            _write_figure(conicity_sheet(*profiles, reports), figure)
+            write_figure(conicity_sheet(*profiles, reports), figure)
 
 
 def _conicity_table(title: str, reports: Mapping[str, "ConicityReport"]) -> Table:
@@ -218,8 +222,8 @@ def _conicity_table(title: str, reports: Mapping[str, "ConicityReport"]) -> Tabl
         differences = np.interp(
             amplitudes, report.functions.lateral, report.functions.radius_difference, right=math.nan
         )
-        columns.append([_number(value, 3) for value in report.conicity])
-        columns.append([_number(1e3 * value, 2) for value in differences])
+        columns.append([number(value, 3) for value in report.conicity])
+        columns.append([number(1e3 * value, 2) for value in differences])
     table = new_table(title, tuple(headings))
     for cells in zip(*columns, strict=True):
         table.add_row(*cells)
@@ -229,16 +233,11 @@ def _conicity_table(title: str, reports: Mapping[str, "ConicityReport"]) -> Tabl
 def _summary(report: "ConicityReport") -> str:
     """What stands beside the table."""
     return (
-        f"flange touches at {_number(1e3 * report.clearance_right, 2)} and "
-        f"{_number(1e3 * report.clearance_left, 2)} mm, "
-        f"conicity at 3 mm {_number(report.reference_conicity, 3)}, "
-        f"nonlinearity {_number(1e-3 * report.nonlinearity, 3)} 1/mm"
+        f"flange touches at {number(1e3 * report.clearance_right, 2)} and "
+        f"{number(1e3 * report.clearance_left, 2)} mm, "
+        f"conicity at 3 mm {number(report.reference_conicity, 3)}, "
+        f"nonlinearity {number(1e-3 * report.nonlinearity, 3)} 1/mm"
     )
-
-
-def _number(value: float, digits: int) -> str:
-    """A number of a table: no sign before a zero, a dash for NaN."""
-    return NOTHING if math.isnan(value) else f"{round(value, digits) + 0.0:.{digits}f}"
 
 
 def _theories(wanted: list[str]) -> list[str]:
@@ -293,31 +292,3 @@ def _inclination(text: str) -> float:
             f"--inclination {text}: allowed upright, or 10 and more for 1:10 and less, as 30 or 1:30"
         )
     return 1.0 / slope
-
-
-def _check(option: str, value: float, low: float, high: float, unit: str) -> None:
-    """Refuse a number out of its range, NaN included."""
-    if not low <= value <= high:
-        raise Refused(
-            f"{option} {value:g}{unit and ' ' + unit}: allowed {low:g} to {high:g}{unit and ' ' + unit}"
-        )
-
-
-def _require_new_figure(path: Path | None) -> None:
-    """Refuse a figure that cannot be written, before any work."""
-    if path is None:
-        return
-    if path.suffix.lower() not in FIGURES:
-        raise Refused(f"--out {path}: allowed are {', '.join(FIGURES)}")
-    if path.exists():
-        raise Refused(f"--out {path}: exists already, allowed is a new file")
-    if not path.parent.is_dir():
-        raise Refused(f"--out {path}: there is no folder {path.parent}")
-
-
-def _write_figure(figure: "Figure", path: Path) -> None:
-    try:
-        figure.savefig(path, dpi=150)
-    except OSError as error:
-        raise Refused(f"--out {path}: {error.strerror}") from None
-    out.print(f"figure: {path}")

@@ -1,11 +1,12 @@
-"""What all commands share: exit codes, one line for every fault, and tables that fit the terminal."""
+"""What all commands share: exit codes, one line for every fault, figures, tables that fit the terminal."""
 
+import math
 import tempfile
 import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import NoReturn
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 from rich.box import SIMPLE_HEAD
@@ -15,11 +16,21 @@ from rich.table import Table
 
 from hh_exudyn.case_errors import CaseError
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 FAULT, BAD_INPUT, STOPPED, INTERRUPTED = 1, 2, 3, 130  # exit codes, see `hh_exudyn.cli`
+FIGURES = (".png", ".pdf", ".svg")
+NOTHING = "–"  # in a table, where there is no such number
 TABLE_WIDTH = 120  # at most, of a table that goes into a file or a pipe
 
 out = Console(soft_wrap=True, highlight=False)
 err = Console(stderr=True, soft_wrap=True, highlight=False)
+
+NewFigure = Annotated[
+    Path | None,
+    typer.Option("--out", metavar="FIGURE", help="Write a figure to this new file (.png, .pdf, .svg)."),
+]
 
 
 class Refused(ValueError):
@@ -88,3 +99,37 @@ def print_table(table: Table) -> None:
     out.print(table.title, markup=False)
     table.title = None  # rich would break it at the table's width
     wide.print(table)
+
+
+def number(value: float, digits: int) -> str:
+    """A number of a table: no sign before a zero, a dash for NaN."""
+    return NOTHING if math.isnan(value) else f"{round(value, digits) + 0.0:.{digits}f}"
+
+
+def check(option: str, value: float, low: float, high: float, unit: str) -> None:
+    """Refuse a number out of its range, NaN included."""
+    if not low <= value <= high:
+        raise Refused(
+            f"{option} {value:g}{unit and ' ' + unit}: allowed {low:g} to {high:g}{unit and ' ' + unit}"
+        )
+
+
+def require_new_figure(path: Path | None) -> None:
+    """Refuse a figure that cannot be written, before any work."""
+    if path is None:
+        return
+    if path.suffix.lower() not in FIGURES:
+        raise Refused(f"--out {path}: allowed are {', '.join(FIGURES)}")
+    if path.exists():
+        raise Refused(f"--out {path}: exists already, allowed is a new file")
+    if not path.parent.is_dir():
+        raise Refused(f"--out {path}: there is no folder {path.parent}")
+
+
+def write_figure(figure: "Figure", path: Path) -> None:
+    """Write a figure and say where it is."""
+    try:
+        figure.savefig(path, dpi=150)
+    except OSError as error:
+        raise Refused(f"--out {path}: {error.strerror}") from None
+    out.print(f"figure: {path}")

@@ -1,9 +1,10 @@
-"""Figures of the contact, as the papers show them: plain results in, matplotlib's own figures and axes out.
+"""Figures of contact and track, as the papers show them: plain results in, matplotlib's own figures out.
 
 ================  ======================================================================================
 `patch`           one patch, all theories side by side: traction, stick and slip, slip velocity, forces
 `conicity`        panels over the lateral displacement: conicity, radius difference, contact positions
 `conicity_sheet`  these panels on one sheet, for a wheel on a rail at several gauges
+`track`           a track over its length, with irregularities and quality classes; a line as shares
 ================  ======================================================================================
 
 They need no display and compute no physics.
