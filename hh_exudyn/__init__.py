@@ -7,12 +7,12 @@ from the logs alone; playback and figures show both. Read in this order:
 `hh_exudyn.conventions`        frames, signs, units
 `hh_exudyn.case`               what a run is: vehicle, track, speed, friction, profiles, models
 `vehicles`, `track`            descriptions of the wagon and of the line; force laws without Exudyn
-`hh_exudyn.contact`            one wheel on one rail: profiles, patches, Hertz, FASTSIM, FaStrip
+`hh_exudyn.contact`            one wheel on one rail: profiles, geometry, patches, creep forces
 `hh_exudyn.multibody`          the only importer of Exudyn: assembly, equilibrium, `simulate(case)`
 `hh_exudyn.log`                contact log, motion log and energy ledger as Parquet
 `damage`                       wear depth and rolling contact fatigue from the contact log
 `hh_exudyn.playback`           rerun recordings and headless pictures
-`hh_exudyn.figures`            figures of one patch, of conicity and contact positions
+`hh_exudyn.figures`            figures of one patch, of conicity, of a track and a line
 `hh_exudyn.cli`                the command ``hh-exudyn``
 =============================  ====================================================================
 

@@ -195,7 +195,7 @@ class Case(CaseTable):
         source
             Name of the file, for error messages.
         folder
-            Where a relative path of a profile starts; the working directory if None.
+            Where a relative path of a profile or of irregularities starts; the working directory if None.
 
         Raises
         ------
@@ -222,7 +222,7 @@ class Case(CaseTable):
 
 
 def read_case(path: str | Path) -> Case:
-    """Read a case file (TOML). A relative path of a profile starts at the folder of the case file.
+    """Read a case file (TOML). A relative path in it starts at the folder of the case file.
 
     Raises
     ------

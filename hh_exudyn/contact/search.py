@@ -15,7 +15,9 @@ of the force it would have alone, and its approach is reduced by w1^(2/3), as fo
 Separate patches (s = 0) have w = 1. As two minima merge, the shallower fades out (w = p/d) while the deeper
 regains all; as they change places in depth nothing jumps. Of more than two, those across the deepest saddle
 join first and then count as one, with the depth of the deeper and all members weighted alike. So the force is
-a continuous function of the pose (but where three share a region and their two saddles change places).
+a continuous function of the pose (but where three share a region and their two saddles change places). It
+can still fall very steeply where contact goes from the flange root to the flange: S1002 on 60E1 with 144 kN,
+124 kN within 12 um.
 """
 
 import math
