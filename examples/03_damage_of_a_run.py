@@ -9,7 +9,8 @@ Damage reads nothing but the contact log: another steel or another wear map need
 import sys
 from pathlib import Path
 
-from damage.figures import fatigue_figure, shakedown_figure, wear_figure
+from damage.figures.profile_panels import fatigue_figure, wear_figure
+from damage.figures.working_points import shakedown_figure
 from damage.material import ER7, ER9
 from damage.report import assess
 from hh_exudyn.case import Case

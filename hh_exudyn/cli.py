@@ -190,7 +190,8 @@ def _show_damage(done: "Run", folder: Path) -> None:
     """Print the damage table and write table and figures."""
     import pyarrow.csv
 
-    from damage.figures import fatigue_figure, shakedown_figure, wear_figure
+    from damage.figures.profile_panels import fatigue_figure, wear_figure
+    from damage.figures.working_points import shakedown_figure
     from damage.report import assess
     from hh_exudyn.case import Case
 

@@ -10,7 +10,8 @@ import pytest
 
 from damage.accumulate import accumulate
 from damage.contact_states import contact_chunks, output_clock
-from damage.figures import FLANGE_ROOT, fatigue_figure, shakedown_figure, wear_figure
+from damage.figures.profile_panels import FLANGE_ROOT, fatigue_figure, wear_figure
+from damage.figures.working_points import shakedown_figure
 from damage.material import ER7
 from damage.rcf import FLANGE_ANGLE
 from damage.report import DamageReport, assess

@@ -1,30 +1,22 @@
-"""Figures of the damage of a run, as papers show them. They need no display: matplotlib's own Figure is used.
+"""Wear and fatigue over the wheel profile, one panel per wheel.
 
-Every figure looks at the wheel profile in side coordinates: the flange is on the right in all panels.
+Every panel looks at the wheel profile in side coordinates: the flange is on the right in all of them.
 """
 
 import math
 
 import numpy as np
-from matplotlib import colormaps
 from matplotlib.axes import Axes
-from matplotlib.colors import LinearSegmentedColormap, LogNorm
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from damage.contact_states import ContactSource
-from damage.material import ER7, WheelMaterial
-from damage.rcf import FLANGE_ANGLE
 from damage.report import DamageReport
-from damage.shakedown import point_contact_limit, working_points
 from damage.wheel_surface import FLANGE, TREAD, Wheel
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT
 
 FLANGE_ROOT = 0.027  # where the flange begins if no profile is given: 15 degrees on S1002 [m]
 _SHOWN = (-0.065, 0.060)  # lateral range of the panels [m]
-# starts dark enough for a cell with one working point to be seen on white
-_DENSITY = LinearSegmentedColormap.from_list("density", colormaps["YlOrBr"](np.linspace(0.35, 1.0, 256)))
 _BELOW = 0.75  # room below zero, for the profile, over the room above [-]
 _TREAD_COLOUR, _FLANGE_COLOUR, _CONTACT_COLOUR = "#8c2d04", "#2b5c8a", "#c9c9c9"
 
@@ -111,61 +103,6 @@ def fatigue_figure(
         _corner_text(axes, "flange", 0.985)
     handles, labels = next(iter(panels.values())).get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=3, frameon=False, fontsize=8)
-    return figure
-
-
-def shakedown_figure(
-    run: ContactSource, material: WheelMaterial = ER7, flange_angle: float = FLANGE_ANGLE
-) -> Figure:
-    """Working points of a contact log in the shakedown diagram of a point contact in full slip.
-
-    Parameters
-    ----------
-    run
-        A run, its directory, or its contact log as a table.
-    material
-        The wheel steel.
-    flange_angle
-        Contact angle above which a contact counts as flange contact [rad].
-    """
-    points = working_points(run, material.shear_yield, flange_angle)
-    tread = ~points.flange
-    figure = Figure(figsize=(5.0, 4.0), layout="constrained")
-    axes = figure.subplots()
-    largest = max(0.6, 1.1 * float(points.utilised_friction.max(initial=0.0)))
-    height = max(6.0, 1.05 * float(points.relative_pressure.max(initial=0.0)))
-    if tread.any():
-        density = axes.hexbin(
-            points.utilised_friction[tread],
-            points.relative_pressure[tread],
-            gridsize=60,
-            extent=(0.0, largest, 0.0, height),
-            mincnt=1,
-            norm=LogNorm(),
-            cmap=_DENSITY,
-            linewidths=0.0,
-        )
-        counts = np.asarray(density.get_array(), dtype=np.float64)
-        density.set_clim(1.0, max(10.0, float(counts.max())))
-        figure.colorbar(density, ax=axes, label="working points per cell, tread")
-    if points.flange.any():
-        axes.plot(
-            points.utilised_friction[points.flange],
-            points.relative_pressure[points.flange],
-            ".",
-            markersize=2.0,
-            color=_FLANGE_COLOUR,
-            label="flange",
-        )
-    friction = np.linspace(0.0, largest, 400)
-    axes.plot(friction, point_contact_limit(friction), color="black", linewidth=1.2, label="shakedown limit")
-    axes.text(0.97 * largest, 0.96 * height, "ratchetting", ha="right", va="top", fontsize=8, style="italic")
-    axes.text(0.03 * largest, 2.6, "shakedown", fontsize=8, style="italic")
-    axes.set_xlim(0.0, largest)
-    axes.set_ylim(0.0, height)
-    axes.set_xlabel("utilised friction $Q/P$ [-]")
-    axes.set_ylabel(f"$p_0/k$ [-], $k$ = {material.shear_yield * 1e-6:.0f} MPa ({material.name})")
-    axes.legend(loc="lower left", fontsize=8, frameon=False)
     return figure
 
 
