@@ -1,0 +1,46 @@
+"""The wagon on sleepers: its wheel loads shake at speed over spacing, and only while sleepers pass."""
+
+import numpy as np
+import pytest
+
+from hh_exudyn.case import Case
+from hh_exudyn.log.wheel_forces import wheel_forces
+from hh_exudyn.multibody.simulate import simulate
+from track.sleepers import sleeper_track
+
+SEGMENT = 4.0  # s, so lines 0.25 Hz apart
+
+
+@pytest.fixture(scope="module")
+def spectra(demo: Case, runs) -> dict[bool, tuple[np.ndarray, np.ndarray]]:
+    """Spectra of Q on 160 m of straight smooth track at 60 km/h, with and without sleepers passing."""
+    sections = [{"kind": "straight", "length_m": 160.0, "gauge_mm": 1445.0}]
+    found = {}
+    for passing in (True, False):
+        case = demo.with_changes(track={"sections": sections, "sleeper_passing": passing})
+        run = simulate(case, runs / f"passing_{passing}")
+        # the first 25 m are left out, where the wagon that stood at rest settles on its passing sleepers
+        found[passing] = wheel_forces(run).between(25.0, 160.0).spectrum("Q", SEGMENT)
+    return found
+
+
+def test_wheel_loads_peak_at_speed_over_spacing(demo: Case, spectra) -> None:
+    """In the line of the spectrum, or the next to it, and a hundred times what is 2 to 5 Hz beside it."""
+    expected = demo.speed / sleeper_track(demo.track.flexibility).sleeper_spacing
+    frequency, density = spectra[True]
+    beside = (np.abs(frequency - expected) > 2.0) & (np.abs(frequency - expected) < 5.0)
+    fast = frequency > 5.0  # below are the modes of the wagon on its springs
+    for wheel in np.ndindex(density.shape[1:]):
+        own = density[:, *wheel]
+        peak = frequency[fast][np.argmax(own[fast])]
+        assert abs(peak - expected) <= 1.0 / SEGMENT, wheel
+        assert own[fast].max() > 100.0 * own[beside].max(), wheel
+
+
+def test_even_track_has_no_peak(demo: Case, spectra) -> None:
+    expected = demo.speed / sleeper_track(demo.track.flexibility).sleeper_spacing
+    (frequency, even), (_, passing) = spectra[False], spectra[True]
+    near = np.abs(frequency - expected) <= 1.0
+    beside = (np.abs(frequency - expected) > 1.0) & (np.abs(frequency - expected) < 5.0)
+    assert (even[near].max(axis=0) < 1e-4 * passing[near].max(axis=0)).all()
+    assert (even[near].max(axis=0) < 2.0 * even[beside].max(axis=0)).all()
