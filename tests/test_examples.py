@@ -75,7 +75,7 @@ def test_damage_of_a_run(frictions: tuple[Path, str], tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_savast(tmp_path: Path) -> None:
-    """Ranges of wheel loads hold the static ones, the outer wheels' are higher; a second call runs nothing."""
+    """Ranges of Q hold the static loads, those of outer wheels lie higher; a second call runs nothing."""
     text = run("05_savast.py", tmp_path)
     assert len(list(tmp_path.glob("*/status.json"))) == 12
     ranges = {
