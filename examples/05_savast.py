@@ -22,7 +22,7 @@ from track.sleepers import sleeper_track
 SPEEDS = {"loaded": (50, 60), "empty": (60, 70)}  # km/h: the larger from the thesis, the lower assumed
 FRICTIONS = (0.20, 0.35, 0.50)  # the thesis: 0.2 to 0.5
 CUTOFF = 20.0  # Hz, as the thesis filters
-CURVE = (150.0, 549.0)  # m: from 50 m behind the transition
+CURVE = (150.0, 499.0)  # m: from 50 m behind the transition to where the irregularities fade out
 
 
 def main() -> None:
