@@ -12,10 +12,10 @@ from hh_exudyn.contact.non_elliptic import check_combination
 from hh_exudyn.contact.profile import Profile, read_rail_profile
 from hh_exudyn.conventions import NOMINAL_GAUGE
 from track.alignment import Curve, Straight, Transition
-from track.flexibility import track_flexibility
 from track.irregularity import Irregularity, random_irregularity
 from track.irregularity_csv import read_irregularity
 from track.rails import Rails
+from track.sleepers import sleeper_track
 from track.spectra import spectrum_names
 
 LONGEST_WAVELENGTH = 70.0  # m, of random irregularities
@@ -95,12 +95,14 @@ class TrackCase(CaseTable):
 
     `irregularity` is ``"none"``, a spectrum (`track.spectra.spectrum_names`) of which `irregularity_seed`
     draws a random track with wavelengths from `irregularity_shortest_m` to 70 m, or a measured file
-    (`track.irregularity_csv`). It begins ahead of the vehicle, faded in over 50 m.
+    (`track.irregularity_csv`). It begins ahead of the vehicle, faded in over 50 m. Without `sleeper_passing`
+    flexible track is alike on and between its sleepers.
     """
 
     rail: str = "60E1"
     inclination: str | float = Field(default="1:30", json_schema_extra={"allowed": '"1:15" to "1:100", or 0'})
     flexibility: str = "concrete"
+    sleeper_passing: bool = True
     irregularity: str = SMOOTH
     irregularity_seed: int = number("-", 0, 2**31 - 1, 1)
     irregularity_shortest_m: float = number("m", 0.5, 25, 3.0)
@@ -132,7 +134,7 @@ class TrackCase(CaseTable):
     def _check_flexibility(cls, value: str) -> str:
         if value != RIGID:
             try:
-                track_flexibility(value)
+                sleeper_track(value)  # the name; fitting the track itself takes a while
             except ValueError as error:
                 raise ValueError(f"{error}, {RIGID}") from None
         return value

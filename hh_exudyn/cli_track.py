@@ -17,7 +17,6 @@ from hh_exudyn.cli_output import (
     NewFigure,
     Refused,
     check,
-    err,
     new_table,
     number,
     out,
@@ -139,16 +138,12 @@ def _show_case(path: Path, speed_km_h: float | None, figure: Path | None) -> Non
 def _irregularity(case: "Case", alignment: "Alignment") -> "Irregularity | None":
     """The irregularities of a run of the case: another length would be another random track."""
     from vehicles.catalogue import vehicle
+    from vehicles.start import start_front
 
-    if case.track.irregularity == "none":
-        return None
-    with err.status("irregularities"):  # importing the multibody part takes a moment
-        from hh_exudyn.multibody.assembly import start_front
-
-        try:
-            return case.track.irregular(start_front(vehicle(case.vehicle)), alignment.length)
-        except ValueError as error:
-            raise Refused(str(error)) from None
+    try:
+        return case.track.irregular(start_front(vehicle(case.vehicle)), alignment.length)
+    except ValueError as error:
+        raise Refused(str(error)) from None
 
 
 def _quality(irregular: "Irregularity | None", end: float, speed: float) -> "tuple[TrackQuality | None, str]":
@@ -259,12 +254,12 @@ def _show_line(source: str, vehicle: str | None, figure: Path | None) -> None:
 
 def _class_table(title: str, sections: "tuple[TrackSection, ...]", length: float) -> Table:
     """A line per class of radius and hand, the tightest curves first, and their sum."""
-    from track.line import QUALITIES
+    from track.quality import CLASSES
 
     table = new_table(
         title,
         ("class [m]", "hand", "share [%]", "length [km]", "radius [m]", "cant [mm]", "gauge [mm]",
-         "speed [km/h]", "deficiency [mm]", *(f"{name} [%]" for name in QUALITIES)),
+         "speed [km/h]", "deficiency [mm]", *(f"{name} [%]" for name in CLASSES)),
     )  # fmt: skip
     table.padding = (0, 0, 0, 1)  # many columns
     classes: dict[tuple[str, str], list[TrackSection]] = {}
@@ -274,8 +269,7 @@ def _class_table(title: str, sections: "tuple[TrackSection, ...]", length: float
         share = math.fsum(part.weight for part in parts)
         one = parts[0]  # geometry and speed are the same all over a class
         by_quality = (
-            math.fsum(part.weight for part in parts if part.quality == quality) / share
-            for quality in QUALITIES
+            math.fsum(part.weight for part in parts if part.quality == quality) / share for quality in CLASSES
         )
         table.add_row(
             name,

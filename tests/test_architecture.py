@@ -35,8 +35,7 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "hh_exudyn.cli_output": ("hh_exudyn.case_errors",),
     "hh_exudyn.cli_contact": ("hh_exudyn.contact", "hh_exudyn.figures", "hh_exudyn.cli_output"),
     "hh_exudyn.cli_track": (
-        "track", "vehicles", "hh_exudyn.case", "hh_exudyn.multibody", "hh_exudyn.figures",
-        "hh_exudyn.cli_output",
+        "track", "vehicles", "hh_exudyn.case", "hh_exudyn.figures", "hh_exudyn.cli_output",
     ),
     "hh_exudyn.cli": PACKAGES,
     "hh_exudyn.__main__": ("hh_exudyn.cli",),

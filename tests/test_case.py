@@ -10,6 +10,7 @@ import pytest
 
 from hh_exudyn.case import Case, CaseError, read_case
 from hh_exudyn.contact.profile import wheel_profile
+from track.line import read_line
 
 DEMO = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text()
 
@@ -25,6 +26,17 @@ def sections(case: Case, index: int, **changes: Any) -> dict[str, Any]:
     listed[index] |= changes
     listed[index] = {key: value for key, value in listed[index].items() if value is not None}
     return {"track": {"sections": listed}}
+
+
+def test_savast_is_the_section_of_the_thesis() -> None:
+    """Hossein-Nia (2018), 1.2.2: around 550 m, left-hand; radius of Palo et al. (2012)."""
+    case = read_case(str(resources.files("hh_exudyn") / "data" / "savast.toml"))
+    assert case.alignment().length == pytest.approx(550.0)
+    curve = case.alignment().sections[-1]
+    assert (curve.radius, curve.hand) == (484.0, "left")  # type: ignore[union-attr]
+    assert 0.2 <= case.friction <= 0.5
+    # the gauge is that of the line's rule, to a tenth of a millimetre
+    assert curve.gauge == pytest.approx(read_line("malmbanan").gauge.at(484.0), abs=5e-5)  # type: ignore[union-attr]
 
 
 def test_demo_is_the_case_of_the_issue(demo: Case) -> None:

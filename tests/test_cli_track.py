@@ -8,10 +8,10 @@ import pytest
 from typer.testing import CliRunner, Result
 
 from hh_exudyn.cli import app
-from hh_exudyn.multibody.assembly import start_front
 from track.irregularity import random_irregularity
 from track.quality import track_quality
 from vehicles.catalogue import vehicle
+from vehicles.start import start_front
 
 DEMO = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text(encoding="utf-8")
 QUARRY = Path(__file__).parent / "track" / "quarry_line.toml"

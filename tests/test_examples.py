@@ -73,6 +73,32 @@ def test_damage_of_a_run(frictions: tuple[Path, str], tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["fatigue.png", "shakedown.png", "wear.png"]
 
 
+@pytest.mark.slow
+def test_savast(tmp_path: Path) -> None:
+    """Ranges of Q hold the static loads, those of outer wheels lie higher; a second call runs nothing."""
+    text = run("05_savast.py", tmp_path)
+    assert len(list(tmp_path.glob("*/status.json"))) == 12
+    ranges = {
+        (force, load, what): [float(number) for number in numbers.split()]
+        for force, table in re.findall(r"largest (Q|Y) [^\n]*\n((?:(?:loaded|empty).*\n)+)", text)
+        for load, what, numbers in re.findall(r"(loaded|empty) +(from|to) +(.*)", table)
+    }
+    assert len(ranges) == 8
+    for load, static in (("loaded", 120.0 * 9.81 / 8), ("empty", 21.6 * 9.81 / 8)):
+        low, high = ranges["Q", load, "from"], ranges["Q", load, "to"]
+        assert all(a < static < b for a, b in zip(low, high, strict=True))
+    low, high = ranges["Q", "loaded", "from"], ranges["Q", "loaded", "to"]
+    for left, right in zip(
+        range(0, 8, 2), range(1, 8, 2), strict=True
+    ):  # cant deficiency 34 mm in a left curve
+        assert low[right] > low[left]
+        assert high[right] > high[left]
+    assert {path.name for path in tmp_path.glob("*.png")} == {"Q.png", "Y.png", "spectrum.png"}
+    again = run("05_savast.py", tmp_path)
+    assert "%" not in again  # no progress
+    assert again.endswith(text[text.index("smallest") :])
+
+
 def test_every_example_is_run_here() -> None:
     source = Path(__file__).read_text()
     for path in EXAMPLES.glob("*.py"):

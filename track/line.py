@@ -16,11 +16,12 @@ from dataclasses import dataclass
 
 from hh_exudyn.conventions import GRAVITY, RAIL_TOP_DISTANCE
 from track.alignment import Alignment, Curve, Straight, Transition, cant_deficiency
-from track.line_data import QUALITIES, Line, SpeedRule, TrackClass
+from track.line_data import Line, SpeedRule, TrackClass
 from track.line_file import LINES, read_line
+from track.quality import CLASSES
 from track.rails import NEW, RailPair, Rails, rail_pairs
 
-__all__ = ["LINES", "QUALITIES", "Line", "TrackClass", "TrackSection", "load_sections", "read_line"]
+__all__ = ["LINES", "Line", "TrackClass", "TrackSection", "load_sections", "read_line"]
 
 _MIRRORED = {"left": "right", "right": "left", "straight": "straight"}
 
@@ -39,7 +40,7 @@ class TrackSection:
     straight_gauge: float  # of straight track beside it [m]
     pair: RailPair
     rail_inclination: float  # slope [-]
-    quality: str  # one of `QUALITIES`
+    quality: str  # one of `CLASSES`
     speed: float  # [m/s]
     weight: float  # share of the line [-]
 
@@ -86,7 +87,7 @@ def load_sections(
     ----------
     line : from `read_line`
     vehicle : whose speed rule holds, a name of ``[speed_km_h]`` in the line's file
-    quality : one of `QUALITIES` for all sections instead of the distributions of the line: fewer sections
+    quality : one of `CLASSES` for all sections instead of the distributions of the line: fewer sections
     wear : wear state of the rails, "new" for the nominal profiles
     returning : the line run the other way, where left-hand curves are right-hand ones
 
@@ -104,12 +105,12 @@ def load_sections(
     if vehicle not in line.speed.largest:
         known = ", ".join(sorted(line.speed.largest))
         raise ValueError(f"{line.name} has no speed for vehicle {vehicle!r}, there are: {known}")
-    if quality is not None and quality not in QUALITIES:
-        raise ValueError(f"quality is {quality!r}, allowed are {', '.join(QUALITIES)}")
+    if quality is not None and quality not in CLASSES:
+        raise ValueError(f"quality is {quality!r}, allowed are {', '.join(CLASSES)}")
     whole = math.fsum(part.share for part in line.classes)  # 1 but for rounding
     found = []
     for part in line.classes:
-        qualities = dict(zip(QUALITIES, part.quality, strict=True)) if quality is None else {quality: 1.0}
+        qualities = dict(zip(CLASSES, part.quality, strict=True)) if quality is None else {quality: 1.0}
         for country, in_country in part.countries.items():
             if part.share * in_country == 0.0:
                 continue

@@ -4,8 +4,6 @@ from dataclasses import dataclass
 
 from track.rails import GaugeRule, RailRule
 
-QUALITIES = ("QN1", "QN2", "QN3", ">QN3")  # UIC 518: up to QN1, QN1 to QN2, QN2 to QN3, worse
-
 
 @dataclass(frozen=True)
 class TrackClass:
@@ -17,7 +15,7 @@ class TrackClass:
     radius: float  # mean of the class, infinity for straight track [m]
     cant: float  # mean of the class [m]
     countries: dict[str, float]  # share of the class that lies in each country [-]
-    quality: tuple[float, float, float, float]  # share of the class in each of `QUALITIES` [-]
+    quality: tuple[float, float, float, float]  # share of the class in each of `track.quality.CLASSES` [-]
 
 
 @dataclass(frozen=True)
@@ -48,8 +46,8 @@ class TransitionRule:
 class Line:
     """A line's statistics, with the source of every table of its file.
 
-    `line_quality` is the distribution of `QUALITIES` over the whole line by another measurement, None where
-    there is none; nothing is computed from it.
+    `line_quality` is the distribution of `track.quality.CLASSES` over the whole line by another measurement,
+    None where there is none; nothing is computed from it.
     """
 
     name: str

@@ -10,7 +10,8 @@ from itertools import pairwise
 from pathlib import Path
 
 from track.data_file import DataTable, own_data, read_data
-from track.line_data import QUALITIES, Line, SpeedRule, TrackClass, TransitionRule
+from track.line_data import Line, SpeedRule, TrackClass, TransitionRule
+from track.quality import CLASSES
 from track.rails import NEW, GaugeRule, RailPair, RailRule, known_rail, rail_pairs
 
 LINES = ("malmbanan",)  # that come with the toolkit
@@ -213,7 +214,7 @@ def _fractions(table: DataTable, name: str, percent: dict[str, float]) -> dict[s
 
 def _distribution(table: DataTable, name: str) -> _Quality:
     """Shares of the qualities."""
-    percent = dict(zip(QUALITIES, table.numbers(name, "%", 0.0, 100.0, len(QUALITIES)), strict=True))
+    percent = dict(zip(CLASSES, table.numbers(name, "%", 0.0, 100.0, len(CLASSES)), strict=True))
     one, two, three, worse = _fractions(table, name, percent).values()
     return one, two, three, worse
 

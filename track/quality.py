@@ -2,8 +2,8 @@
 
 Level and alignment are filtered to wavelengths of 3 to 25 m (D1) and their standard deviations taken over
 sections of 100 m (the thesis; UIC 518 also has 250 m and 500 m by kind of line). Limits QN1 and QN2 by speed
-are Table 1-4 of S. Hossein-Nia's thesis, in `data/quality.toml` with Tables 1-5 and 1-6 for comparison. A
-section has the worse of the classes of its two signals:
+are Table 1-4 of S. Hossein-Nia's thesis, in `data/quality.toml`; his Tables 1-5 and 1-6 are data of the line,
+`data/malmbanan.toml`. A section has the worse of the classes of its two signals:
 
 =======  ==================  ==================================================
 `QN1`    sigma <= QN1        good track
@@ -158,29 +158,3 @@ def track_quality(track: Irregularity, speed: float, section_length: float = SEC
     deviations: FloatArray = np.array([both[edges[i] : edges[i + 1]].std(axis=0) for i in range(count)])
     start = track.start + section_length * np.arange(count, dtype=float)
     return TrackQuality(start, section_length, deviations, quality_class(deviations, speed))
-
-
-def published_distribution() -> dict[str, float]:
-    """Table 1-5: shares of the classes on the IORE line, measured in 2012, for 80 km/h."""
-    table = _data()["table_1_5"]
-    return {name: 0.01 * share for name, share in zip(table["classes"], table["share_percent"], strict=True)}
-
-
-def published_curve_distribution(hand: str) -> dict[tuple[float, float], dict[str, float]]:
-    """Table 1-6: shares of the classes by range of curve radius [m] on the IORE line, measured in 2013.
-
-    Parameters
-    ----------
-    hand : str
-        "left" or "right".
-
-    Raises ValueError for another hand.
-    """
-    if hand not in ("left", "right"):
-        raise ValueError(f'hand is {hand!r}, allowed are "left" and "right"')
-    return {
-        (float(row["radius_m"][0]), float(row["radius_m"][1])): {
-            name: 0.01 * share for name, share in zip(CLASSES, row[f"{hand}_percent"], strict=True)
-        }
-        for row in _data()["table_1_6"]
-    }

@@ -20,7 +20,7 @@ force -u^2/2 dk_pad/ds by which the train would pay for it is left out.
 """
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -152,6 +152,10 @@ class TrackFlexibility:
             elif not 0.0 < value < math.inf:
                 name = f"{item.name} of TrackFlexibility"
                 raise ValueError(f"{name} is {value} {_unit(item.name)}, it must be positive and finite")
+
+    def evenly_supported(self) -> "TrackFlexibility":
+        """The same track without the passing of sleepers."""
+        return replace(self, passing_lateral=0.0, passing_vertical=0.0)
 
     def parameters(self) -> TrackParameters:
         """What the kernel `track_forces` takes."""

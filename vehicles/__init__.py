@@ -6,6 +6,7 @@
 `three_piece_bogie`   bolster, side frames, wheelsets and what couples them
 `wagon`               the LKAB iron-ore wagon
 `catalogue`           the vehicles by name
+`start`               where a vehicle stands on its track when a run begins
 `force_laws`          two-stage springs, stops, dry friction, wedges: kernels of plain numbers
 ====================  ================================================================================
 """

@@ -10,6 +10,7 @@ readable; temporary files are ignored. `Recorder` writes the logs; it is passed 
 
 import json
 import os
+import shutil
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,7 +22,7 @@ import pyarrow.parquet
 from hh_exudyn.log.recorder import PART_PATTERN, TEMPORARY_SUFFIX, Recorder, check_log_name
 from hh_exudyn.log.schema import LOGS
 
-__all__ = ["Recorder", "Run", "open_run", "write_case", "write_status"]
+__all__ = ["Recorder", "Run", "open_run", "remove_logs", "write_case", "write_status"]
 
 CASE_FILE = "case.toml"
 STATUS_FILE = "status.json"
@@ -144,6 +145,14 @@ def open_run(directory: Path | str) -> Run:
             f"and none of the logs {', '.join(LOGS)}"
         )
     return Run(path)
+
+
+def remove_logs(run: Run) -> None:
+    """Remove a run's logs, status and case, and nothing else that lies in its directory."""
+    for log in LOGS:
+        shutil.rmtree(run.directory / log, ignore_errors=True)
+    for name in (STATUS_FILE, CASE_FILE):
+        (run.directory / name).unlink(missing_ok=True)
 
 
 def write_case(directory: Path | str, text: str) -> None:

@@ -11,6 +11,7 @@
 `watch`         reasons to stop a run
 `recording`     rows of the logs
 `simulate`      `simulate(case, directory)`
+`once`          `simulate_once`, for studies that are begun again: finished runs are found
 ==============  ======================================================================================
 """
 

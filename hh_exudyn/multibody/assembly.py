@@ -28,10 +28,10 @@ from track.alignment import Alignment, track_frame
 from track.flexibility import track_flexibility
 from track.irregularity_table import IrregularityTable, smooth_track
 from vehicles.description import AxleBoxPad, CentrePlate, Coupling, SideBearer, SpringNest, Vehicle, Wedge
+from vehicles.start import start_front, start_middle
 
 SHORTEST_TRANSITION = 5e-3  # m, a wheel about to lift off has a patch too short for any time step
 LARGEST_LAG_RATE = 1.5  # of the creepage's transition per time step; RK4 is stable up to 2.78
-START_MARGIN = 1.0  # m of straight track behind the rear coupler head at the start
 
 
 def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
@@ -48,6 +48,8 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
     flexible = case.track.flexible
     # rigid track keeps a parameter set that nothing reads: the kernel's types stay the same
     flexibility = track_flexibility(case.track.flexibility if flexible else "concrete")
+    if not case.track.sleeper_passing:
+        flexibility = flexibility.evenly_supported()
     return SystemModel(
         mass=np.array([body.mass for body in vehicle.bodies]),
         inertia=np.array([body.inertia for body in vehicle.bodies]),
@@ -76,16 +78,6 @@ def _require_straight_start(vehicle: Vehicle, alignment: Alignment) -> None:
             f"track.sections: the first {front:.1f} m must be straight, so that vehicle {vehicle.name} can "
             f"start on them; at s = {front:.1f} m the track has turned by {heading * 1e3:.2g} mrad"
         )
-
-
-def start_middle(vehicle: Vehicle) -> float:
-    """Arc length of the vehicle's middle at the start [m]: its rear head stands just after s = 0."""
-    return START_MARGIN - min(point[0] for point in vehicle.coupler.points)
-
-
-def start_front(vehicle: Vehicle) -> float:
-    """Arc length of the vehicle's front head at the start [m]."""
-    return start_middle(vehicle) + max(point[0] for point in vehicle.coupler.points)
 
 
 def _irregularity(vehicle: Vehicle, case: Case, alignment: Alignment) -> IrregularityTable:

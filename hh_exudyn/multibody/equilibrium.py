@@ -8,7 +8,6 @@ from scipy.optimize import brentq, least_squares
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.kernel import Bundle
-from hh_exudyn.multibody.assembly import start_middle
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
     TRACK_COORDINATES,
@@ -20,6 +19,7 @@ from hh_exudyn.multibody.model import (
 )
 from hh_exudyn.multibody.system import evaluate_bundle
 from vehicles.description import Vehicle
+from vehicles.start import start_middle
 
 FORCE_TOLERANCE = 5.0  # N or N m, of any body, on weights of 1e4..1e6 N
 _LENGTH_SCALE = 1e-3  # of the unknowns, m and rad

@@ -8,12 +8,13 @@ from hh_exudyn.case import Case
 from hh_exudyn.case_errors import CaseError
 from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.kernel import Bundle
-from hh_exudyn.multibody.assembly import assemble, start_front
+from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.equilibrium import equilibrium
 from hh_exudyn.multibody.model import BODY_COORDINATES, workspace
 from hh_exudyn.multibody.simulate import simulate
 from hh_exudyn.multibody.system import evaluate_bundle
 from vehicles.catalogue import vehicle
+from vehicles.start import start_front
 
 
 def straight(demo: Case, length: float = 160.0, **track: object) -> Case:

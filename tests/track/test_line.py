@@ -10,7 +10,8 @@ import pytest
 
 from hh_exudyn.contact.profile import rail_profile
 from track.alignment import track_frame
-from track.line import QUALITIES, TrackSection, load_sections, read_line
+from track.line import TrackSection, load_sections, read_line
+from track.quality import CLASSES
 
 REFERENCE = Path(__file__).parents[1] / "reference" / "hossein_nia_2018_line.csv"
 QUARRY = Path(__file__).parent / "quarry_line.toml"
@@ -47,7 +48,7 @@ def test_weights_reproduce_the_quality_table() -> None:
     sections = load_sections(read_line("malmbanan"), LOADED)
     for row in table():
         whole = weight(sections, name=row["class"], hand=row["hand"])
-        for quality, key in zip(QUALITIES, ("qn1", "qn2", "qn3", "worse"), strict=True):
+        for quality, key in zip(CLASSES, ("qn1", "qn2", "qn3", "worse"), strict=True):
             part = weight(sections, name=row["class"], hand=row["hand"], quality=quality)
             assert 100.0 * part / whole == pytest.approx(float(row[key]), abs=0.5)
 

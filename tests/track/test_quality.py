@@ -1,4 +1,4 @@
-"""Quality classes: the thesis's Tables 1-4 to 1-6, and tracks of known standard deviation."""
+"""Quality classes: the thesis's Table 1-4, and tracks of known standard deviation."""
 
 import math
 
@@ -8,8 +8,6 @@ import pytest
 from track.irregularity import Irregularity, random_irregularity
 from track.quality import (
     CLASSES,
-    published_curve_distribution,
-    published_distribution,
     quality_class,
     quality_limits,
     track_quality,
@@ -44,17 +42,6 @@ def test_the_worse_signal_decides() -> None:
     names = [CLASSES[i] for i in quality_class(deviations, 80.0 * KM_H)]
     assert names == ["QN1", "QN2", "QN3", ">QN3", ">QN3", "QN1"]
     assert CLASSES[quality_class(deviations[:1], 90.0 * KM_H)[0]] == "QN3"  # 2.3 mm, above QN2 = 2.1 mm there
-
-
-def test_tables_1_5_and_1_6_are_whole() -> None:
-    assert published_distribution() == pytest.approx({"QN1": 0.29, "QN2": 0.23, "QN3": 0.43, ">QN3": 0.05})
-    for hand in ("left", "right"):
-        table = published_curve_distribution(hand)
-        assert list(table) == [(0, 350), (350, 400), (400, 450), (450, 600), (600, 800), (800, 1000)]
-        for shares in table.values():
-            assert sum(shares.values()) == pytest.approx(1.0, abs=0.011)
-    assert published_curve_distribution("left")[350, 400]["QN3"] == pytest.approx(0.47)
-    assert published_curve_distribution("right")[350, 400]["QN3"] == pytest.approx(0.11)
 
 
 def test_sections_have_the_standard_deviation_of_their_wave() -> None:
@@ -118,5 +105,3 @@ def test_bad_input_says_what_is_wrong() -> None:
         quality_class(np.array([[math.nan, 1e-3]]), 10.0)
     with pytest.raises(ValueError, match=r"shape \(3,\)"):
         quality_class(np.zeros(3), 10.0)
-    with pytest.raises(ValueError, match=r"hand is 'both'"):
-        published_curve_distribution("both")

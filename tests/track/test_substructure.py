@@ -97,7 +97,7 @@ def test_the_rail_is_highest_over_a_sleeper(track) -> None:
     on, between = track.static_deflection(150e3, 0.0), track.static_deflection(150e3, 0.3)
     assert on < track.static_deflection(150e3) < between
     assert between == pytest.approx(track.static_deflection(150e3, -0.3), rel=1e-12)
-    even = replace(track, passing_lateral=0.0, passing_vertical=0.0)
+    even = track.evenly_supported()
     assert even.static_deflection(150e3, 0.0) == even.static_deflection(150e3, 0.123)
     assert even.static_deflection(150e3) == pytest.approx((on + between) / 2, rel=1e-12)
 

@@ -1,0 +1,141 @@
+"""Q and Y of every wheel of a run over time, from its contact log; filtered, and as spectra.
+
+What a measuring wheelset or a station beside the track gives is filtered: Hossein-Nia (2018, section 1.2.1)
+filters measured and calculated forces at 20 Hz. The filter here is a Butterworth low-pass of fourth order,
+run forwards and backwards, so that it shifts nothing in time.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.signal import butter, sosfiltfilt, welch
+
+from hh_exudyn.log.store import Run
+
+FloatArray = NDArray[np.float64]
+
+_COLUMNS = ("time", "s", "vehicle", "wheelset", "side", "patch", "Q", "Y")
+
+
+@dataclass(frozen=True, eq=False)
+class WheelForces:
+    """Forces of the wheels of one vehicle on the rails, at equal intervals of time.
+
+    Attributes
+    ----------
+    time : (n,) array
+        [s].
+    s : (n, wheelsets) array
+        Arc length of each wheelset along the track [m].
+    Q, Y : (n, wheelsets, 2) arrays
+        Vertical force, and lateral force outwards, of the left and the right wheel [N]; zero off the rail.
+    """
+
+    time: FloatArray
+    s: FloatArray
+    Q: FloatArray
+    Y: FloatArray
+
+    @property
+    def interval(self) -> float:
+        """Time from one value to the next [s]."""
+        return float(self.time[-1] - self.time[0]) / (self.time.size - 1)
+
+    def between(self, first: float, last: float) -> "WheelForces":
+        """The times at which all wheelsets lie between two arc lengths [m].
+
+        Raises ValueError where they do so less than twice.
+        """
+        inside = ((self.s >= first) & (self.s <= last)).all(axis=1)
+        if inside.sum() < 2:
+            raise ValueError(
+                f"all wheelsets never lie between s = {first:g} and {last:g} m: the run has them from "
+                f"{self.s.min():.1f} to {self.s.max():.1f} m"
+            )
+        return replace(self, time=self.time[inside], s=self.s[inside], Q=self.Q[inside], Y=self.Y[inside])
+
+    def filtered(self, cutoff: float) -> "WheelForces":
+        """Without what is faster than the cut-off frequency [Hz], at which half the amplitude is left.
+
+        Raises ValueError unless the frequency is above 0 and below half the sampling rate.
+        """
+        highest = 0.5 / self.interval
+        if not 0.0 < cutoff < highest:
+            raise ValueError(f"cutoff is {cutoff} Hz, allowed are above 0 to below {highest:g} Hz")
+        sections = butter(4, cutoff, fs=1.0 / self.interval, output="sos")
+        return replace(self, Q=sosfiltfilt(sections, self.Q, axis=0), Y=sosfiltfilt(sections, self.Y, axis=0))
+
+    def spectrum(self, force: str, segment: float = 4.0) -> tuple[FloatArray, FloatArray]:
+        """Power spectral density of a force, by the method of Welch (1967): Hann windows that half overlap.
+
+        Parameters
+        ----------
+        force : str
+            "Q" or "Y".
+        segment : float
+            Length of a window [s]; the lines of the spectrum are its inverse apart.
+
+        Returns
+        -------
+        frequency : (m,) array
+            [Hz].
+        density : (m, wheelsets, 2) array
+            One-sided [N^2/Hz]; its integral is the variance.
+
+        Raises
+        ------
+        ValueError
+            Another force; a segment longer than the run, or of fewer than 8 values.
+        """
+        if force not in ("Q", "Y"):
+            raise ValueError(f'force is {force!r}, allowed are "Q" and "Y"')
+        count = round(segment / self.interval)
+        if not 8 <= count <= self.time.size:
+            raise ValueError(
+                f"segment is {segment} s, allowed are {8 * self.interval:g} to "
+                f"{self.time.size * self.interval:g} s"
+            )
+        frequency, density = welch(
+            getattr(self, force), fs=1.0 / self.interval, nperseg=count, detrend="constant", axis=0
+        )
+        return frequency, density
+
+
+def wheel_forces(run: Run, vehicle: int = 1) -> WheelForces:
+    """Q and Y of all wheels of a vehicle of a run, whole.
+
+    Parameters
+    ----------
+    run
+        On disk.
+    vehicle
+        Its number in the run, from 1.
+
+    Raises
+    ------
+    FileNotFoundError, ValueError
+        The run has no contact log; fewer than two output times; no such vehicle.
+    """
+    table = run.read("contact", _COLUMNS)
+    rows = {name: np.asarray(table[name], dtype=np.float64) for name in _COLUMNS}
+    mine = (rows["vehicle"] == vehicle) & (rows["patch"] == 0)
+    if not mine.any():
+        known = sorted({int(number) for number in rows["vehicle"]})
+        raise ValueError(f"{run.directory}: vehicle {vehicle} is not in the contact log; it has {known}")
+    time = np.unique(rows["time"])
+    if time.size < 2:
+        raise ValueError(f"{run.directory}: the contact log has one output time, at least 2 are needed")
+    at = np.searchsorted(time, rows["time"][mine])
+    wheelset = rows["wheelset"][mine].astype(int) - 1
+    side = (rows["side"][mine] < 0).astype(int)
+    shape = (time.size, int(wheelset.max()) + 1, 2)
+    forces = {}
+    for name in ("Q", "Y"):
+        forces[name] = np.zeros(shape)
+        forces[name][at, wheelset, side] = rows[name][mine]
+    s = np.empty(shape[:2])
+    for number in range(shape[1]):  # a wheelset with both wheels in the air has no row: in between
+        own = wheelset == number
+        s[:, number] = np.interp(time, rows["time"][mine][own], rows["s"][mine][own])
+    return WheelForces(time, s, forces["Q"], forces["Y"])
