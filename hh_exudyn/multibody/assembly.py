@@ -24,7 +24,7 @@ from hh_exudyn.multibody.model import (
     Train,
     first_track,
 )
-from track.alignment import Alignment, track_frame
+from track.alignment import Alignment, inclined_frame
 from track.flexibility import track_flexibility
 from track.irregularity_table import IrregularityTable, smooth_track
 from vehicles.description import AxleBoxPad, CentrePlate, Coupling, SideBearer, SpringNest, Vehicle, Wedge
@@ -40,7 +40,8 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
     Raises
     ------
     ValueError
-        The track does not begin with a straight as long as the vehicle, or its wheels differ in radius.
+        The track does not begin with a straight of one gradient as long as the vehicle, or its wheels differ
+        in radius.
     """
     alignment = case.alignment()
     _require_straight_start(vehicle, alignment)
@@ -68,13 +69,19 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
 
 
 def _require_straight_start(vehicle: Vehicle, alignment: Alignment) -> None:
-    """The equilibrium at the start is that of straight track: no heading and cant up to the front."""
+    """The equilibrium at the start is that of straight track: no heading and cant up to the front, one slope."""
     front = start_front(vehicle)
-    _, _, _, heading, roll, _, _ = track_frame(alignment.table, front)
+    _, _, _, heading, pitch, roll, _, _ = inclined_frame(alignment.table, front)
     if abs(heading) > 1e-6 or abs(roll) > 1e-6:
         raise ValueError(
             f"track.sections: the first {front:.1f} m must be straight, so that vehicle {vehicle.name} can "
             f"start on them; at s = {front:.1f} m the track has turned by {heading * 1e3:.2g} mrad"
+        )
+    at_start, at_front = (-1e3 * math.tan(angle) for angle in (inclined_frame(alignment.table, 0.0)[4], pitch))
+    if abs(at_front - at_start) > 1e-6:
+        raise ValueError(
+            f"track.grades: the first {front:.1f} m must have one gradient, so that vehicle {vehicle.name} can "
+            f"start on them; it is {at_start:.4g} per mille at s = 0 and {at_front:.4g} at s = {front:.1f} m"
         )
 
 
