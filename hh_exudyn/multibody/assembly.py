@@ -44,7 +44,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         in radius.
     """
     alignment = case.alignment()
-    _require_straight_start(vehicle, alignment)
+    _require_straight_start(vehicle, alignment, case.track.alignment_key)
     numbers = {body.name: i for i, body in enumerate(vehicle.bodies)}
     flexible = case.track.flexible
     # rigid track keeps a parameter set that nothing reads: the kernel's types stay the same
@@ -68,20 +68,21 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
     )
 
 
-def _require_straight_start(vehicle: Vehicle, alignment: Alignment) -> None:
-    """The equilibrium at the start is that of straight track: no heading and cant up to the front, one slope."""
+def _require_straight_start(vehicle: Vehicle, alignment: Alignment, key: str) -> None:
+    """The equilibrium at the start is that of straight track without cant, on one gradient, to the front."""
     front = start_front(vehicle)
+    first = f"track.{key}: the first {front:.1f} m"
     _, _, _, heading, pitch, roll, _, _ = inclined_frame(alignment.table, front)
     if abs(heading) > 1e-6 or abs(roll) > 1e-6:
         raise ValueError(
-            f"track.sections: the first {front:.1f} m must be straight, so that vehicle {vehicle.name} can "
-            f"start on them; at s = {front:.1f} m the track has turned by {heading * 1e3:.2g} mrad"
+            f"{first} must be straight, so that vehicle {vehicle.name} can start on them; at "
+            f"s = {front:.1f} m the track has turned by {heading * 1e3:.2g} mrad"
         )
-    at_start, at_front = (-1e3 * math.tan(angle) for angle in (inclined_frame(alignment.table, 0.0)[4], pitch))
-    if abs(at_front - at_start) > 1e-6:
+    behind = inclined_frame(alignment.table, 0.0)[4]
+    if abs(pitch - behind) > 1e-6:
         raise ValueError(
-            f"track.grades: the first {front:.1f} m must have one gradient, so that vehicle {vehicle.name} can "
-            f"start on them; it is {at_start:.4g} per mille at s = 0 and {at_front:.4g} at s = {front:.1f} m"
+            f"{first} must have one gradient, so that vehicle {vehicle.name} can start on them; it goes from "
+            f"{-1e3 * math.tan(behind):.3g} to {-1e3 * math.tan(pitch):.3g} per mille"
         )
 
 
