@@ -19,8 +19,6 @@ from track.alignment import (
     inclined_frame,
     inclined_locate,
     inclined_rotation,
-    locate,
-    rotation,
     track_frame,
 )
 from track.sections import SHAPES
@@ -117,22 +115,6 @@ def test_a_point_across_any_track_is_located(
     assert turn @ turn.T == pytest.approx(np.eye(3), abs=1e-15)
     point = place + turn @ [0.0, y, z]
     assert abs(inclined_locate(alignment.table, *point, s + error) - s) < 1e-9
-
-
-def test_inclined_kernels_are_the_others_on_level_track() -> None:
-    alignment = Alignment.from_sections([Straight(50.0), Transition(60.0), Curve(90.0, 350.0, "right", 0.12)])
-    level, pitched = np.empty((3, 3)), np.empty((3, 3))
-    for s in np.linspace(-50.0, 250.0, 77):
-        x, y, z, heading, pitch, roll, curvature, gauge = inclined_frame(alignment.table, s)
-        assert (x, y, z, heading, roll, curvature, gauge) == track_frame(alignment.table, s)
-        assert pitch == 0.0
-        rotation(heading, roll, level)
-        inclined_rotation(heading, pitch, roll, pitched)
-        assert np.array_equal(level, pitched)
-        if 0.0 < s < 200.0:
-            assert inclined_locate(alignment.table, x + 0.3, y - 0.2, 1.7, s) == locate(
-                alignment.table, x + 0.3, y - 0.2, s
-            )
 
 
 @pytest.mark.parametrize("hand", ["left", "right"])
