@@ -10,23 +10,23 @@ import tomllib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
+import numpy as np
 import tomli_w
 from pydantic import BaseModel, Field, ValidationError, field_validator, model_validator
 
-from hh_exudyn.case_errors import CaseError, closest, explain
-from hh_exudyn.case_tables import (
+from hh_exudyn.case_alignment import (
     LARGEST_GAUGE_MM,
-    CaseTable,
-    ContactCase,
+    CentreLineCase,
     CurveCase,
-    IntegrationCase,
+    GradeCase,
+    RampCase,
     StraightCase,
-    TrackCase,
     TransitionCase,
-    is_path,
-    number,
-    read_profile,
+    gauges_mm,
 )
+from hh_exudyn.case_errors import CaseError, closest, explain
+from hh_exudyn.case_fields import CaseTable, from_folder, is_path, number
+from hh_exudyn.case_tables import ContactCase, IntegrationCase, TrackCase, read_profile
 from hh_exudyn.contact.profile import Profile, read_wheel_profile, wheel_profile
 from hh_exudyn.contact.profile_measures import flange_thickness
 from hh_exudyn.contact.types import WheelRailModel
@@ -40,9 +40,12 @@ from vehicles.description import Vehicle
 __all__ = [
     "Case",
     "CaseError",
+    "CentreLineCase",
     "ContactCase",
     "CurveCase",
+    "GradeCase",
     "IntegrationCase",
+    "RampCase",
     "StraightCase",
     "TrackCase",
     "TransitionCase",
@@ -97,21 +100,31 @@ class Case(CaseTable):
     @model_validator(mode="after")
     def _check_track(self) -> Self:
         """The vehicle fits on the track, no gauge jams the wheelset, and the sections follow each other."""
-        length = sum(section.length_m for section in self.track.sections)
-        if length < SHORTEST_TRACK_M:
+        sections = self.track.sections or ()
+        allowed = (
+            f"allowed above {self.least_gauge * 1000:.1f} up to {LARGEST_GAUGE_MM:g} mm with wheel profile "
+            f"{self.wheel_profile}"
+        )
+        for i, section in enumerate(sections):
+            for gauge in gauges_mm(section):
+                if gauge <= self.least_gauge * 1000:
+                    raise ValueError(
+                        f"track.sections[{i}].gauge_mm = {gauge:g} mm leaves no flange clearance: {allowed}"
+                    )
+        key = f"track.{self.track.alignment_key}"
+        try:
+            alignment = self.alignment()
+        except ValueError as error:
+            raise ValueError(f"{key}: {error}") from None
+        if alignment.length < SHORTEST_TRACK_M:
             raise ValueError(
-                f"track.sections: length {length:g} m in all: allowed from {SHORTEST_TRACK_M:g} m, "
+                f"{key}: length {alignment.length:g} m in all: allowed from {SHORTEST_TRACK_M:g} m, "
                 "so that the vehicle fits"
             )
-        least = self.least_gauge * 1000
-        for i, section in enumerate(self.track.sections):
-            if not isinstance(section, TransitionCase) and section.gauge_mm <= least:
-                raise ValueError(
-                    f"track.sections[{i}].gauge_mm = {section.gauge_mm:g} mm leaves no flange clearance: "
-                    f"allowed above {least:.1f} up to {LARGEST_GAUGE_MM:g} mm with wheel profile "
-                    f"{self.wheel_profile}"
-                )
-        self.alignment()
+        # blended kinks of gauge ramps overshoot by micrometres
+        narrow, wide = (round(1000 * float(end(alignment.table.gauge)), 1) for end in (np.min, np.max))
+        if not (sections or self.least_gauge * 1000 < narrow <= wide <= LARGEST_GAUGE_MM):
+            raise ValueError(f"{key}: gauge is {narrow:g} to {wide:g} mm: {allowed}")
         return self
 
     @property
@@ -131,7 +144,7 @@ class Case(CaseTable):
 
     def alignment(self) -> Alignment:
         """The track's alignment in SI."""
-        return Alignment(tuple(section.section() for section in self.track.sections))
+        return self.track.aligned()
 
     def contact_model(self, vehicle: Vehicle | None = None) -> WheelRailModel:
         """The contact of every wheel of the run, for the run and for whoever solves logged patches again.
@@ -165,13 +178,7 @@ class Case(CaseTable):
 
     def mirrored(self) -> "Case":
         """The same case with left and right exchanged."""
-        other = {"left": "right", "right": "left"}
-        sections = [section.model_dump() for section in self.track.sections]
-        for section in sections:
-            if "hand" in section:
-                section["hand"] = other[section["hand"]]
-        mirrored = not self.track.irregularity_mirrored
-        return self.with_changes(track={"sections": sections, "irregularity_mirrored": mirrored})
+        return self.with_changes(track=self.track.mirrored())
 
     def with_changes(self, /, **changes: Any) -> "Case":
         """A changed copy, checked again.
@@ -182,7 +189,7 @@ class Case(CaseTable):
 
     def to_toml(self) -> str:
         """The case as TOML; `read_case` gives an equal case."""
-        return tomli_w.dumps(self.model_dump())
+        return tomli_w.dumps(self.model_dump(exclude_none=True))
 
     @classmethod
     def from_toml(cls, text: str, source: str = "case", folder: Path | None = None) -> "Case":
@@ -195,7 +202,7 @@ class Case(CaseTable):
         source
             Name of the file, for error messages.
         folder
-            Where a relative path of a profile or of irregularities starts; the working directory if None.
+            Where the relative path of any file starts; the working directory if None.
 
         Raises
         ------
@@ -207,14 +214,7 @@ class Case(CaseTable):
         except tomllib.TOMLDecodeError as error:
             raise CaseError(f"{source}: not valid TOML: {error}") from None
         if folder is not None:
-            for table, key in (
-                (data, "wheel_profile"),
-                (data.get("track"), "rail"),
-                (data.get("track"), "irregularity"),
-            ):
-                name = table.get(key) if isinstance(table, dict) else None
-                if isinstance(table, dict) and isinstance(name, str) and is_path(name):
-                    table[key] = str((folder / name).resolve())
+            _start_in(folder, data)
         try:
             return cls(**data)
         except CaseError as error:
@@ -238,6 +238,17 @@ def read_case(path: str | Path) -> Case:
     except UnicodeDecodeError as error:
         raise CaseError(f"{path}: not valid TOML: not UTF-8 at byte {error.start}") from None
     return Case.from_toml(text, source=str(path), folder=path.parent)
+
+
+def _start_in(folder: Path, data: dict[str, Any]) -> None:
+    """Relative paths in a raw case start at its folder; names of built-in things stay as they are."""
+    track = data.get("track")
+    track = track if isinstance(track, dict) else {}
+    for table, key in ((data, "wheel_profile"), (track, "rail"), (track, "irregularity")):
+        if isinstance(table.get(key), str) and is_path(table[key]):
+            from_folder(table, folder, key)
+    from_folder(track, folder, "alignment", "centre_line")
+    from_folder(track.get("centre_line"), folder, "file")
 
 
 def _wheel(name: str) -> Profile:

@@ -58,7 +58,7 @@ def _line(item: ErrorDetails, model: type[BaseModel]) -> str:
             return f"{key} = {_shown(value)}: allowed {', '.join(names)}{hint}"
         case "value_error":
             reason = str(context["error"])
-            if field is None:
+            if not key:
                 return reason
             return f"{key}: {reason}" if isinstance(value, dict) else f"{key} = {_shown(value)}: {reason}"
     shown = f"{_shown(value)}{unit}" if isinstance(value, int | float) else _shown(value)

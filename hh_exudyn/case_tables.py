@@ -1,4 +1,4 @@
-"""The tables of a case file: track with its sections, contact, integration. See `hh_exudyn.case`."""
+"""The tables of a case file: track, contact, integration. See `hh_exudyn.case`."""
 
 import re
 from collections.abc import Callable
@@ -6,12 +6,14 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
+from pydantic import Field, field_validator, model_validator
 
+from hh_exudyn.case_alignment import CentreLineCase, GradeCase, SectionCase
+from hh_exudyn.case_fields import CaseTable, is_path, number
 from hh_exudyn.contact.non_elliptic import check_combination
 from hh_exudyn.contact.profile import Profile, read_rail_profile
-from hh_exudyn.conventions import NOMINAL_GAUGE
-from track.alignment import Curve, Straight, Transition
+from track.alignment import Alignment
+from track.alignment_csv import read_alignment_csv
 from track.irregularity import Irregularity, random_irregularity
 from track.irregularity_csv import read_irregularity
 from track.rails import Rails
@@ -20,78 +22,17 @@ from track.spectra import spectrum_names
 
 LONGEST_WAVELENGTH = 70.0  # m, of random irregularities
 SHORTEST_IRREGULAR = 100.0  # m, of a random track: fading in and out takes 50 m each
-LARGEST_GAUGE_MM = 1470.0  # beyond it a wheel may drop between the rails
 RIGID = "rigid"  # the flexibility of a track without any
+_WAYS = ("sections", "alignment", "centre_line")  # to give an alignment
 SMOOTH = "none"  # the irregularity of a track without any
 
 
-def number(unit: str, low: float, high: float, default: Any = ...) -> Any:
-    """Field of a number from `low` to `high` [unit]; the error messages read the same texts."""
-    extra: dict[str, Any] = {"unit": unit, "allowed": f"{low:g} to {high:g}"}
-    return Field(default, ge=low, le=high, json_schema_extra=extra)
-
-
-def _gauge() -> Any:
-    """Field of a gauge [mm]; the least gauge follows from the wheel profile, see `Case`."""
-    extra: dict[str, Any] = {"unit": "mm", "allowed": f"up to {LARGEST_GAUGE_MM:g}"}
-    return Field(NOMINAL_GAUGE * 1000, le=LARGEST_GAUGE_MM, json_schema_extra=extra)
-
-
-class CaseTable(BaseModel):
-    """Frozen; no unknown keys, no numbers in quotes, no NaN or infinity."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
-
-
-class StraightCase(CaseTable):
-    """A straight."""
-
-    kind: Literal["straight"] = "straight"
-    length_m: float = number("m", 1, 100_000)
-    gauge_mm: float = _gauge()
-
-    def section(self) -> Straight:
-        """The section in SI."""
-        return Straight(length=self.length_m, gauge=self.gauge_mm / 1000)
-
-
-class TransitionCase(CaseTable):
-    """A clothoid with a linear cant ramp between its two neighbours."""
-
-    kind: Literal["transition"] = "transition"
-    length_m: float = number("m", 1, 10_000)
-
-    def section(self) -> Transition:
-        """The section in SI."""
-        return Transition(length=self.length_m)
-
-
-class CurveCase(CaseTable):
-    """A curve of constant radius; the cant raises its outer rail."""
-
-    kind: Literal["curve"] = "curve"
-    length_m: float = number("m", 1, 100_000)
-    radius_m: float = number("m", 100, 20_000)
-    hand: Literal["left", "right"]
-    cant_mm: float = number("mm", 0, 180, 0.0)
-    gauge_mm: float = _gauge()
-
-    def section(self) -> Curve:
-        """The section in SI."""
-        return Curve(
-            length=self.length_m,
-            radius=self.radius_m,
-            hand=self.hand,
-            cant=self.cant_mm / 1000,
-            gauge=self.gauge_mm / 1000,
-        )
-
-
-Section = Annotated[StraightCase | TransitionCase | CurveCase, Field(discriminator="kind")]
-
-
 class TrackCase(CaseTable):
-    """Rails, their foundation, irregularities, and the alignment section by section.
+    """Rails, their foundation, irregularities, and the alignment.
+
+    The alignment is given in one of three ways: `sections`, with `grades` as their vertical profile; the file
+    `alignment` (`track.alignment_csv`); surveyed points, `centre_line`, a file name alone if the defaults
+    will do. `alignment_mirrored` is for the two files: sections have hands.
 
     `irregularity` is ``"none"``, a spectrum (`track.spectra.spectrum_names`) of which `irregularity_seed`
     draws a random track with wavelengths from `irregularity_shortest_m` to 70 m, or a measured file
@@ -108,9 +49,35 @@ class TrackCase(CaseTable):
     irregularity_shortest_m: float = number("m", 0.5, 25, 3.0)
     irregularity_scale: float = number("-", 0, 10, 1.0)
     irregularity_mirrored: bool = False
-    sections: tuple[Section, ...] = Field(
-        strict=False, min_length=1, json_schema_extra={"allowed": "one or more sections"}
+    sections: tuple[SectionCase, ...] | None = Field(
+        default=None, strict=False, min_length=1, json_schema_extra={"allowed": "one or more sections"}
     )
+    grades: tuple[GradeCase, ...] = Field(default=(), strict=False)
+    alignment: str | None = Field(default=None, min_length=1, json_schema_extra={"allowed": "a file (.csv)"})
+    centre_line: CentreLineCase | None = None
+    alignment_mirrored: bool = False
+
+    @field_validator("centre_line", mode="before")
+    @classmethod
+    def _table_of_a_name(cls, value: Any) -> Any:
+        return {"file": value} if isinstance(value, str) else value
+
+    @model_validator(mode="after")
+    def _check_one_alignment(self) -> Self:
+        """One of three; what belongs to sections alone, or to files alone, does not stand with the others."""
+        ways = [name for name in _WAYS if getattr(self, name) is not None]
+        if len(ways) != 1:
+            found = " and ".join(ways) if ways else "none"
+            raise ValueError(f"{found} given: allowed exactly one of sections, alignment, centre_line")
+        if self.grades and self.sections is None:
+            raise ValueError(
+                f"grades given with {ways[0]}: allowed with sections, a file has its own gradient"
+            )
+        if self.alignment_mirrored and self.sections is not None:
+            raise ValueError(
+                "alignment_mirrored = true: allowed with alignment or centre_line, sections have hands"
+            )
+        return self
 
     @field_validator("rail")
     @classmethod
@@ -147,6 +114,37 @@ class TrackCase(CaseTable):
         elif value != SMOOTH and value not in spectrum_names():
             raise ValueError(f"allowed {', '.join((SMOOTH, *spectrum_names()))}, or a file (.csv)")
         return value
+
+    @property
+    def alignment_key(self) -> str:
+        """The one of `sections`, `alignment` and `centre_line` that is given."""
+        return next(name for name in _WAYS if getattr(self, name) is not None)
+
+    def aligned(self) -> Alignment:
+        """The alignment in SI.
+
+        Raises
+        ------
+        ValueError
+            Sections or grades that do not follow each other, a faulty file, points that are no railway.
+        """
+        if self.alignment is not None:
+            found = read_alignment_csv(self.alignment)
+        elif self.centre_line is not None:
+            found = self.centre_line.fitted()
+        else:
+            plan = tuple(section.section() for section in self.sections or ())
+            found = Alignment(plan, grades=tuple(grade.grade() for grade in self.grades))
+        return found.mirrored() if self.alignment_mirrored else found
+
+    def mirrored(self) -> Self:
+        """The same track with left and right exchanged."""
+        changes: dict[str, Any] = {"irregularity_mirrored": not self.irregularity_mirrored}
+        if self.sections is None:
+            changes["alignment_mirrored"] = not self.alignment_mirrored
+        else:
+            changes["sections"] = tuple(section.mirrored() for section in self.sections)
+        return self.model_copy(update=changes)
 
     def irregular(self, start: float, end: float) -> Irregularity | None:
         """The irregularities from arc length `start` to `end` [m]; None on smooth track.
@@ -233,11 +231,6 @@ class IntegrationCase(CaseTable):
                 f"step_ms = {self.step_ms:g} ms"
             )
         return self
-
-
-def is_path(name: str) -> bool:
-    """Whether a wheel profile is a file: names of published profiles have neither folder nor ending."""
-    return "/" in name or "\\" in name or "." in name
 
 
 def read_profile(reader: Callable[[Path], Profile], path: str) -> Profile:

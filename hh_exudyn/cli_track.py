@@ -6,6 +6,7 @@ Millimetres and km/h exist here and nowhere deeper. Everything heavy is imported
 
 import math
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -114,7 +115,13 @@ def _show_case(path: Path, speed_km_h: float | None, figure: Path | None) -> Non
     alignment = case.alignment()
     irregular = _irregularity(case, alignment)
     quality, why_not = _quality(irregular, alignment.length, speed_km_h / 3.6)
-    print_table(_section_table(f"Track of {case.name} at {speed_km_h:g} km/h", alignment, speed_km_h / 3.6))
+    title = f"Track of {case.name} at {speed_km_h:g} km/h"
+    if case.track.centre_line is None:
+        print_table(_section_table(title, alignment, speed_km_h / 3.6))
+        if any(grade.gradient or grade.end for grade in alignment.grades):
+            print_table(_grade_table(alignment))
+    else:
+        out.print(f"{title}: {_survey_line(alignment)}", markup=False)
     limits = quality_limits(speed_km_h / 3.6)
     if irregular is None:
         out.print("irregularity: none")
@@ -148,8 +155,6 @@ def _irregularity(case: "Case", alignment: "Alignment") -> "Irregularity | None"
 
 def _quality(irregular: "Irregularity | None", end: float, speed: float) -> "tuple[TrackQuality | None, str]":
     """Quality of the sections up to the end of the track [m]; without, why there is none."""
-    from dataclasses import replace
-
     from track.quality import track_quality
 
     if irregular is None:
@@ -197,6 +202,42 @@ def _section_table(title: str, alignment: "Alignment", speed: float) -> Table:
         table.add_row(f"{start:.1f}", f"{end:.1f}", type(section).__name__.lower(), *cells)
         start = end
     return table
+
+
+def _grade_table(alignment: "Alignment") -> Table:
+    """A line per grade: where it lies, its gradient or that of both its ends, the vertical radius."""
+    table = new_table(
+        "Gradients",
+        ("from [m]", "to [m]", "from [\u2030]", "to [\u2030]", "vertical\u00a0radius [m]"),
+    )
+    start = 0.0
+    rest = alignment.length - math.fsum(grade.length for grade in alignment.grades)
+    last = alignment.grades[-1]
+    goes_on = replace(last, length=rest, gradient=last.gradient if last.end is None else last.end, end=None)
+    for grade in (*alignment.grades, *([goes_on] if rest > 1e-6 else [])):
+        end = start + grade.length
+        reached = grade.gradient if grade.end is None else grade.end
+        change = abs(reached - grade.gradient)
+        table.add_row(
+            f"{start:.1f}",
+            f"{end:.1f}",
+            number(1e3 * grade.gradient, 2),
+            number(1e3 * reached, 2),
+            f"{grade.length / change:.0f}" if change else NOTHING,
+        )
+        start = end
+    return table
+
+
+def _survey_line(alignment: "Alignment") -> str:
+    """What a line of surveyed points comes to: its cells are too many to be listed."""
+    table = alignment.table
+    turn, slope = table.curvature, 1e3 * table.gradient
+    return (
+        f"surveyed, {alignment.length:.1f} m with the approach; curvature {1e3 * turn.min():.3f} to "
+        f"{1e3 * turn.max():.3f} 1/km, left positive; cant up to {1e3 * abs(table.cant).max():.1f} mm; "
+        f"gradient {slope.min():.2f} to {slope.max():.2f} per mille"
+    )
 
 
 def _deviations(irregular: "Irregularity") -> str:

@@ -23,9 +23,14 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "track": ("hh_exudyn.contact.profile",),
     "damage": ("hh_exudyn.contact", "hh_exudyn.log"),
     "hh_exudyn.case_errors": (),
-    "hh_exudyn.case_tables": ("vehicles", "track", "hh_exudyn.contact"),
+    "hh_exudyn.case_fields": (),
+    "hh_exudyn.case_alignment": ("track", "hh_exudyn.case_fields"),
+    "hh_exudyn.case_tables": (
+        "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.case_fields", "hh_exudyn.case_alignment",
+    ),
     "hh_exudyn.case": (
         "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.case_errors", "hh_exudyn.case_tables",
+        "hh_exudyn.case_fields", "hh_exudyn.case_alignment",
     ),
     "hh_exudyn.multibody": ("hh_exudyn.case", "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.log"),
     "hh_exudyn.playback": (

@@ -151,3 +151,33 @@ def test_figure_is_never_written_over(tmp_path: Path) -> None:
     assert figure.read_text() == "mine"
     assert "allowed are .png" in refused("malmbanan", "--out", tmp_path / "f.doc")
     assert "there is no folder" in refused("malmbanan", "--out", tmp_path / "no" / "f.png")
+
+
+def test_gradients_are_listed_to_the_end_of_the_track(demo: Path) -> None:
+    grades = """[track]
+grades = [
+  {length_m = 60.0, gradient_per_mille = -4.0},
+  {length_m = 100.0, gradient_per_mille = -4.0, end_per_mille = 6.0},
+]
+"""
+    demo.write_text(DEMO.replace("[track]\n", grades))
+    table = call(demo).stdout.split("Gradients")[1]
+    rows = [line.split() for line in table.splitlines() if re.match(r"\s*\d", line)]
+    assert rows == [
+        ["0.0", "60.0", "-4.00", "-4.00", "\u2013"],
+        ["60.0", "160.0", "-4.00", "6.00", "10000"],
+        ["160.0", "250.0", "6.00", "6.00", "\u2013"],
+    ]
+
+
+def test_surveyed_points_are_summed_up(demo: Path, tmp_path: Path) -> None:
+    rows = "\n".join(f"{5.0 * i},0.0,{0.02 * i}" for i in range(41))  # 200 m at 4 per mille
+    (tmp_path / "points.csv").write_text(f"x_m,y_m,z_m\n{rows}\n")
+    head = DEMO[: DEMO.index("[[track.sections]]")]
+    demo.write_text(f'{head}\ncentre_line = "points.csv"\n')
+    result = call(demo, "--out", tmp_path / "track.png")
+    assert result.exit_code == 0, result.stderr
+    text = " ".join(result.stdout.split())
+    assert "surveyed, 260.0 m with the approach" in text
+    assert "gradient 4.00 to 4.00 per mille" in text
+    assert "ramp" not in text

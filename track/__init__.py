@@ -4,7 +4,7 @@ Where it runs
     `sections`            what people write: straights, transitions, curves, ramps; grades
     `course`              how curvature, cant, gauge and gradient run along them, their kinks blended
     `alignment`           `Alignment`: sections checked and made into the kernel table
-    `frame`               track frame at every arc length, `locate` (kernels)
+    `frame`               track frame at every arc length, arc length of a point (kernels)
     `alignment_csv`       an alignment from a table; `csv_columns` reads tables with units in their header
     `centre_line`         an alignment from surveyed points, smoothed to curvature; `survey` reads points
     `types`               NamedTuples that enter the alignment kernels

@@ -1,8 +1,8 @@
 """The alignment: straights, transitions, curves and grades, and the kernel table of the track frame.
 
 People write sections in plan (`Straight`, `Transition`, `Curve`, `Ramp`) and, beside them, the vertical
-profile (`Grade`); `Alignment` checks them and builds the table that the kernels `track_frame` and `locate`
-read. The centre line starts at s = 0 in the origin of the global frame, heading along +X.
+profile (`Grade`); `Alignment` checks them and builds the table that the kernels `inclined_frame` and
+`inclined_locate` read. The centre line starts at s = 0 in the origin of the global frame, heading along +X.
 
 What is continuous: position, heading, curvature, cant, gauge and gradient, AND the rates of the latter four.
 The kinks that sections leave (both ends of a clothoid, of a cant ramp, of a vertical curve) are blended over
@@ -32,9 +32,7 @@ from track.frame import (
     inclined_frame,
     inclined_locate,
     inclined_rotation,
-    locate,
     rise_in_cell,
-    rotation,
     shift_in_cell,
     track_frame,
     turn_in_cell,
@@ -67,8 +65,6 @@ __all__ = [
     "inclined_frame",
     "inclined_locate",
     "inclined_rotation",
-    "locate",
-    "rotation",
     "track_frame",
 ]
 

@@ -1,8 +1,7 @@
 """The track frame at every arc length, and the arc length of a point (kernels).
 
-`track_frame`, `rotation` and `locate` are for track without gradient: T's x axis is horizontal. Their
-siblings `inclined_frame`, `inclined_rotation` and `inclined_locate` pitch T with the gradient, at a little
-more cost; where there is none both give the same. All of them give the height z of the track.
+T is pitched with the gradient: `inclined_frame`, `inclined_rotation` and `inclined_locate` belong together.
+`track_frame` is what they have in common with a look at the plan: everything but the pitch.
 """
 
 import math
@@ -15,7 +14,7 @@ from hh_exudyn.kernel import inlined_kernel, kernel
 from track.types import AlignmentTable, Node
 
 FloatArray = NDArray[np.float64]
-_NEWTON_STEPS = 20  # of `locate`; two or three are used from a guess some metres away
+_NEWTON_STEPS = 20  # of `inclined_locate`; two or three are used from a guess some metres away
 _GAUSS_OFFSET = 0.5 * math.sqrt(0.6)  # of the outer points of three, from the middle of 0 to 1
 _GAUSS_OUTER = 5.0 / 18.0
 _GAUSS_MIDDLE = 8.0 / 18.0
@@ -98,8 +97,8 @@ def track_frame(table: AlignmentTable, s: float) -> tuple[float, float, float, f
 
     Returns x, y, z [m] of its origin (centre line, running plane; global frame), heading about Z [rad], roll
     about the forward axis [rad] (negative in a canted left-hand curve: the right rail is higher), curvature
-    in plan [1/m], gauge [m]. All NaN outside the table. The rotation T to global is
-    `rotation(heading, roll)`; on a gradient see `inclined_frame`.
+    in plan [1/m], gauge [m]. All NaN outside the table. The pitch and the rotation T to global: see
+    `inclined_frame`.
     """
     i = _cell(table, s)
     if i < 0:
@@ -133,18 +132,6 @@ def inclined_frame(
 
 
 @kernel
-def rotation(heading: float, roll: float, out: FloatArray) -> None:
-    """Write the rotation matrix T to global, Rz(heading) Rx(roll), into `out` (3, 3)."""
-    ch = math.cos(heading)
-    sh = math.sin(heading)
-    cr = math.cos(roll)
-    sr = math.sin(roll)
-    out[0, 0], out[0, 1], out[0, 2] = ch, -sh * cr, sh * sr
-    out[1, 0], out[1, 1], out[1, 2] = sh, ch * cr, -ch * sr
-    out[2, 0], out[2, 1], out[2, 2] = 0.0, sr, cr
-
-
-@kernel
 def inclined_rotation(heading: float, pitch: float, roll: float, out: FloatArray) -> None:
     """Write the rotation matrix T to global, Rz(heading) Ry(pitch) Rx(roll), into `out` (3, 3)."""
     ch = math.cos(heading)
@@ -159,33 +146,12 @@ def inclined_rotation(heading: float, pitch: float, roll: float, out: FloatArray
 
 
 @kernel
-def locate(table: AlignmentTable, x: float, y: float, s_guess: float) -> float:
-    """Arc length [m] of the foot of the perpendicular from (x, y) on the centre line in plan.
-
-    That is where the point has no x coordinate in T: roll is about the forward axis, so the point's height
-    does not enter, and this holds exactly on canted track without gradient (else see `inclined_locate`).
-    Newton's method from `s_guess`, exact to 1e-10 m. NaN where the foot lies outside the table or Newton
-    fails (point near the centre of the curve).
-    """
-    s = s_guess
-    for _ in range(_NEWTON_STEPS):
-        i = _cell(table, s)
-        if i < 0:
-            return math.nan
-        node = table.nodes[i]
-        forward, aside, curvature = _seen_from(node, s - node[Node.S], x, y)
-        step = forward / (1.0 - curvature * aside)
-        s += step
-        if abs(step) < 1e-5:  # converges quadratically: the error left is far below 1e-10 m
-            return s if table.start <= s <= table.end else math.nan
-    return math.nan
-
-
-@kernel
 def inclined_locate(table: AlignmentTable, x: float, y: float, z: float, s_guess: float) -> float:
     """Arc length [m] where the point (x, y, z) has no x coordinate in T pitched with the gradient.
 
-    As `locate`, which a point 2 m above a track with 10 per mille would miss by 20 mm.
+    The foot of the perpendicular on the centre line; without the height a point 2 m above a track with
+    10 per mille would be missed by 20 mm. Newton's method from `s_guess`, exact to 1e-10 m. NaN where the
+    foot lies outside the table or Newton fails (point near the centre of the curve).
     """
     s = s_guess
     for _ in range(_NEWTON_STEPS):
@@ -201,7 +167,7 @@ def inclined_locate(table: AlignmentTable, x: float, y: float, z: float, s_guess
         # (point - origin) . dr/ds = 0 with dr/ds = (forward, gradient); its derivative by s below
         step = (forward + gradient * above) / (1.0 - curvature * aside + gradient * gradient - bend * above)
         s += step
-        if abs(step) < 1e-5:
+        if abs(step) < 1e-5:  # converges quadratically: the error left is far below 1e-10 m
             return s if table.start <= s <= table.end else math.nan
     return math.nan
 

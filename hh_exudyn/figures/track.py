@@ -31,7 +31,9 @@ def track_sheet(
     quality: TrackQuality | None = None,
     limits: NDArray[np.float64] | None = None,
 ) -> Figure:
-    """Panels over the arc length: curvature, cant, gauge, the four irregularities, standard deviations.
+    """Panels over the arc length: curvature, cant, gauge, gradient, irregularities, standard deviations.
+
+    Track that is level all along has no panel of the gradient.
 
     Parameters
     ----------
@@ -48,23 +50,25 @@ def track_sheet(
     """
     table = alignment.table
     shown = (table.s >= 0.0) & (table.s <= alignment.length)
-    panels = 3 + (0 if irregularity is None else len(SIGNALS)) + (0 if quality is None else 2)
+    courses = {
+        "curvature\n[1/km], left +": 1e3 * table.curvature,
+        "cant [mm]\nright rail high +": 1e3 * table.cant,
+        "gauge\n[mm]": 1e3 * table.gauge,
+    }
+    if table.gradient.any():
+        courses["gradient [\u2030]\nuphill +"] = 1e3 * table.gradient
+    panels = len(courses) + (0 if irregularity is None else len(SIGNALS)) + (0 if quality is None else 2)
     with rc_context(_SMALL):
         figure = Figure(figsize=(8.0, 1.0 + 1.15 * panels), layout="constrained")
         figure.suptitle(title)
         column = list(np.ravel(figure.subplots(panels, 1, sharex=True)))
-        courses = {
-            "curvature\n[1/km], left +": 1e3 * table.curvature,
-            "cant [mm]\nright rail high +": 1e3 * table.cant,
-            "gauge\n[mm]": 1e3 * table.gauge,
-        }
         for axes, (label, values) in zip(column, courses.items(), strict=False):
             axes.plot(table.s[shown], values[shown], color="black")
             axes.set_ylabel(label)
             axes.ticklabel_format(useOffset=False)
             axes.grid(alpha=0.3)
         if irregularity is not None:
-            _draw_irregularity(column[3 : 3 + len(SIGNALS)], irregularity)
+            _draw_irregularity(column[len(courses) : len(courses) + len(SIGNALS)], irregularity)
         if quality is not None:
             draw_quality(column[-2:], quality, limits)
         column[-1].set_xlim(0.0, alignment.length)

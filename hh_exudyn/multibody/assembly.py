@@ -24,7 +24,7 @@ from hh_exudyn.multibody.model import (
     Train,
     first_track,
 )
-from track.alignment import Alignment, track_frame
+from track.alignment import Alignment, inclined_frame
 from track.flexibility import track_flexibility
 from track.irregularity_table import IrregularityTable, smooth_track
 from vehicles.description import AxleBoxPad, CentrePlate, Coupling, SideBearer, SpringNest, Vehicle, Wedge
@@ -40,10 +40,11 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
     Raises
     ------
     ValueError
-        The track does not begin with a straight as long as the vehicle, or its wheels differ in radius.
+        The track does not begin with a straight of one gradient as long as the vehicle, or its wheels differ
+        in radius.
     """
     alignment = case.alignment()
-    _require_straight_start(vehicle, alignment)
+    _require_straight_start(vehicle, alignment, case.track.alignment_key)
     numbers = {body.name: i for i, body in enumerate(vehicle.bodies)}
     flexible = case.track.flexible
     # rigid track keeps a parameter set that nothing reads: the kernel's types stay the same
@@ -69,14 +70,21 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
     )
 
 
-def _require_straight_start(vehicle: Vehicle, alignment: Alignment) -> None:
-    """The equilibrium at the start is that of straight track: no heading and cant up to the front."""
+def _require_straight_start(vehicle: Vehicle, alignment: Alignment, key: str) -> None:
+    """The equilibrium at the start is that of straight track without cant, on one gradient, to the front."""
     front = start_front(vehicle)
-    _, _, _, heading, roll, _, _ = track_frame(alignment.table, front)
+    first = f"track.{key}: the first {front:.1f} m"
+    _, _, _, heading, pitch, roll, _, _ = inclined_frame(alignment.table, front)
     if abs(heading) > 1e-6 or abs(roll) > 1e-6:
         raise ValueError(
-            f"track.sections: the first {front:.1f} m must be straight, so that vehicle {vehicle.name} can "
-            f"start on them; at s = {front:.1f} m the track has turned by {heading * 1e3:.2g} mrad"
+            f"{first} must be straight, so that vehicle {vehicle.name} can start on them; at "
+            f"s = {front:.1f} m the track has turned by {heading * 1e3:.2g} mrad"
+        )
+    behind = inclined_frame(alignment.table, 0.0)[4]
+    if abs(pitch - behind) > 1e-6:
+        raise ValueError(
+            f"{first} must have one gradient, so that vehicle {vehicle.name} can start on them; it goes from "
+            f"{-1e3 * math.tan(behind):.3g} to {-1e3 * math.tan(pitch):.3g} per mille"
         )
 
 

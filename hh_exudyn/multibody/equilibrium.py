@@ -1,5 +1,9 @@
-"""Static equilibrium of a vehicle that rolls straight ahead at constant speed, before the run."""
+"""Static equilibrium of a vehicle that rolls straight ahead at constant speed, before the run.
 
+On a gradient the train holds the vehicle: the coupler force is its weight times the sine of the slope.
+"""
+
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +22,7 @@ from hh_exudyn.multibody.model import (
     first_track,
 )
 from hh_exudyn.multibody.system import evaluate_bundle
+from track.alignment import inclined_frame, inclined_rotation
 from vehicles.description import Vehicle
 from vehicles.start import start_middle
 
@@ -42,7 +47,7 @@ class NoEquilibrium(RuntimeError):
 
 
 def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equilibrium:
-    """Solve for poses, rolling speeds and the force of the train on straight track.
+    """Solve for poses, rolling speeds and the force of the train on straight track of one gradient.
 
     The wheels roll, so the unknowns of a wheelset's pitch and creep are rates, not places; the vehicle
     stands at a given place, so the unknown of the car body's place is that of the train, which is left in
@@ -63,6 +68,7 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
     bundle = Bundle(model, work)
     spins = [BODY_COORDINATES * int(i) + 4 for i in model.wheelsets]
     place = BODY_COORDINATES * model.train.body
+    stands = q[place]
     weight = float(model.mass.sum()) * GRAVITY
     start = model.train.start.copy()
     guess = q.copy()
@@ -77,7 +83,7 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
         q[creep] = 0.0
         v[spins] = unknown[spins]
         v[creep] = unknown[creep]
-        q[place] = middle
+        q[place] = stands
         model.train.start[:] = start + unknown[place]
         evaluate_bundle(bundle, sliders, q, v, 0.0, True)
         return work.generalized_force / weight * _FORCE_SCALE
@@ -99,19 +105,25 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
 def _guess(
     vehicle: Vehicle, model: SystemModel, work: Workspace, middle: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Drawing lowered by rough deflections until the wheels carry the weight, all at the train's speed."""
+    """Drawing lowered by rough deflections until the wheels carry the weight, all at the train's speed.
+
+    On a gradient it is turned with the track; wheelsets stay at rotation angle zero about their axles.
+    """
     q = np.zeros(coordinates(model))
     v = np.zeros(coordinates(model))
     track = _DEFLECTION_GUESS if model.flexible else 0.0
+    *origin, _, pitch, _, _, _ = inclined_frame(model.alignment, middle)
+    speed = model.train.speed / math.cos(pitch)  # the train's counts in plan
+    turn = np.empty((3, 3))
+    inclined_rotation(0.0, pitch, 0.0, turn)
     sunk = {"wheelset": 0.0, "side_frame": 1e-3, "bolster": _SPRING_GUESS, "car_body": _SPRING_GUESS}
     for i, body in enumerate(vehicle.bodies):
         k = BODY_COORDINATES * i
-        q[k : k + 3] = body.position
-        q[k] += middle
-        q[k + 2] -= sunk[body.kind] + track
-        v[k] = model.train.speed
+        q[k : k + 3] = origin + turn @ (np.array(body.position) - [0.0, 0.0, sunk[body.kind] + track])
+        q[k + 4] = pitch
+        v[k : k + 3] = speed * turn[:, 0]
     for wheelset, i in zip(vehicle.wheelsets, model.wheelsets, strict=True):
-        v[BODY_COORDINATES * int(i) + 4] = model.train.speed / wheelset.radius
+        v[BODY_COORDINATES * int(i) + 4] = speed / wheelset.radius
     if model.flexible:
         for k in range(first_track(model), first_creep(model)):
             vertical = (k - first_track(model)) % TRACK_COORDINATES in (1, 3, 5)

@@ -11,7 +11,7 @@ from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.log.schema import CONTACT, ENERGY, MOTION
 from hh_exudyn.multibody.model import BODY_COORDINATES, IntArray, SystemModel, Workspace
 from hh_exudyn.multibody.system import energies
-from track.alignment import locate
+from track.alignment import inclined_locate
 from vehicles.description import Vehicle
 
 _FIRST_COPIED = int(Patch.Y_WHEEL)  # columns of a contact state that the log takes over in one piece,
@@ -67,7 +67,7 @@ def _energy_row(model: SystemModel, work: Workspace, v: FloatArray, time: float,
     kinetic, potential = energies(model, work, v)
     place = work.position[model.train.body]
     row[0] = time
-    row[1] = locate(model.alignment, place[0], place[1], work.arc_length[-1])
+    row[1] = inclined_locate(model.alignment, place[0], place[1], place[2], work.arc_length[-1])
     for k in range(work.ledger.size):
         row[2 + k] = work.ledger[k]
     row[-2] = kinetic
@@ -119,7 +119,8 @@ def _motion_rows(model: SystemModel, work: Workspace, v: FloatArray, time: float
         row = rows[i]
         row[0] = time
         row[1] = i
-        row[2] = locate(model.alignment, work.position[i, 0], work.position[i, 1], work.arc_length[0])
+        place = work.position[i]
+        row[2] = inclined_locate(model.alignment, place[0], place[1], place[2], work.arc_length[0])
         for axis in range(3):
             row[3 + axis] = work.position[i, axis]
             row[10 + axis] = v[BODY_COORDINATES * i + axis]

@@ -18,7 +18,7 @@ from hh_exudyn.multibody.model import (
     first_track,
 )
 from hh_exudyn.multibody.vectors import add_to, cross, rotate, rotate_back, rotation_matrix, triple
-from track.alignment import locate, rotation, track_frame
+from track.alignment import inclined_frame, inclined_locate, inclined_rotation
 from track.irregularity_table import irregularity_at, rail_displacements
 from track.substructure import track_forces
 
@@ -97,30 +97,38 @@ def _body_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArr
 
 @inlined_kernel
 def _train_forces(model: SystemModel, work: Workspace, time: float) -> None:
-    """The train pulls at both coupler heads along the track, as if its neighbours kept a constant speed."""
+    """The train pulls at both coupler heads along the track, as if its neighbours kept a constant speed.
+
+    Places and the speed of the train count in plan, as chainage does; the force points along the gradient.
+    """
     train = model.train
     body = train.body
     heads = train.heads.shape[0]
     for head in range(heads):
         arm = rotate(work.rotation[body], triple(train.heads[head]))
         place = model.wheelsets.size + head
-        s = locate(
+        s = inclined_locate(
             model.alignment,
             work.position[body, 0] + arm[0],
             work.position[body, 1] + arm[1],
+            work.position[body, 2] + arm[2],
             work.arc_length[place],
         )
         work.arc_length[place] = s
-        heading = track_frame(model.alignment, s)[3]
+        _, _, _, heading, pitch, _, _, _ = inclined_frame(model.alignment, s)
+        level = math.cos(pitch)
+        ahead = (level * math.cos(heading), level * math.sin(heading), -math.sin(pitch))
         swing = cross(triple(work.angular_velocity[body]), arm)
-        speed = (work.velocity[body, 0] + swing[0]) * math.cos(heading) + (
-            work.velocity[body, 1] + swing[1]
-        ) * math.sin(heading)
+        speed = (
+            (work.velocity[body, 0] + swing[0]) * ahead[0]
+            + (work.velocity[body, 1] + swing[1]) * ahead[1]
+            + (work.velocity[body, 2] + swing[2]) * ahead[2]
+        )
         force = (
             train.stiffness * (train.start[head] + train.speed * time - s)
-            + train.damping * (train.speed - speed)
+            + train.damping * (train.speed - speed * level)
         ) / heads
-        vector = (force * math.cos(heading), force * math.sin(heading), 0.0)
+        vector = (force * ahead[0], force * ahead[1], force * ahead[2])
         add_to(work.force[body], vector, 1.0)
         add_to(work.torque[body], cross(arm, vector), 1.0)
         work.ledger[_FORCE] += force
@@ -136,11 +144,17 @@ def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: Floa
     """
     for w in range(model.wheelsets.size):
         body = model.wheelsets[w]
-        s = locate(model.alignment, work.position[body, 0], work.position[body, 1], work.arc_length[w])
+        s = inclined_locate(
+            model.alignment,
+            work.position[body, 0],
+            work.position[body, 1],
+            work.position[body, 2],
+            work.arc_length[w],
+        )
         work.arc_length[w] = s
-        x, y, z, heading, roll, _, gauge = track_frame(model.alignment, s)
+        x, y, z, heading, pitch, roll, _, gauge = inclined_frame(model.alignment, s)
         frame = work.track_rotation[w]
-        rotation(heading, roll, frame)
+        inclined_rotation(heading, pitch, roll, frame)
         work.gauge[w] = gauge
         offset = (work.position[body, 0] - x, work.position[body, 1] - y, work.position[body, 2] - z)
         turned = work.rotation[body]

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from track.alignment import Alignment, rotation, track_frame
+from track.alignment import Alignment, inclined_frame, inclined_rotation
 
 FloatArray = NDArray[np.float64]
 
@@ -43,9 +43,9 @@ def track_frames(alignment: Alignment, s: FloatArray) -> TrackFrames:
     origin, matrix, gauge = np.empty((len(arc), 3)), np.empty((len(arc), 3, 3)), np.empty(len(arc))
     table = alignment.table
     for i, value in enumerate(arc):
-        x, y, z, heading, roll, _, gauge[i] = track_frame(table, value)
+        x, y, z, heading, pitch, roll, _, gauge[i] = inclined_frame(table, value)
         origin[i] = (x, y, z)
-        rotation(heading, roll, matrix[i])
+        inclined_rotation(heading, pitch, roll, matrix[i])
     off = np.isnan(gauge)
     if off.any():
         raise ValueError(
@@ -62,8 +62,8 @@ def single(position: FloatArray) -> FloatArray:
 def moving_frame(alignment: Alignment, s: FloatArray) -> Poses:
     """The frame that follows a vehicle at arc lengths s (n,) [m]: on the centre line, x ahead, z upright.
 
-    It turns with the track's heading alone, so that cant is seen as what it is. Its poses are those that
-    single precision holds. Errors as `track_frames`.
+    It turns with the track's heading alone, so that cant and gradient are seen as what they are. Its poses
+    are those that single precision holds. Errors as `track_frames`.
     """
     frames = track_frames(alignment, s)
     turn = upright(frames.rotation)

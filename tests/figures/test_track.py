@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hh_exudyn.figures.track import line_sheet, track_sheet
-from track.alignment import Alignment, Curve, Straight, Transition
+from track.alignment import Alignment, Curve, Grade, Straight, Transition
 from track.irregularity import random_irregularity
 from track.line import load_sections, read_line
 from track.quality import quality_limits, track_quality
@@ -21,6 +21,18 @@ def test_smooth_track_has_three_panels_with_the_signs_of_the_conventions() -> No
     assert len(ends) == 3
     for (first, last), start, end in zip(ends, (0.0, 0.0, 1435.0), (-1e3 / 450, -65.0, 1445.0), strict=True):
         np.testing.assert_allclose([first, last], [(0.0, start), (500.0, end)], atol=1e-9)
+
+
+def test_a_gradient_has_its_panel_in_per_mille_uphill_positive() -> None:
+    alignment = Alignment((Straight(300.0),), grades=(Grade(100.0, 0.0), Grade(100.0, 0.0, -0.008)))
+    figure = track_sheet("crest", alignment, random_irregularity("erri_low", 300.0, 1))
+    figure.savefig(BytesIO(), dpi=50)
+    assert len(figure.axes) == 8
+    assert "\u2030" in figure.axes[3].get_ylabel()
+    line = figure.axes[3].lines[0]
+    for s, gradient in ((50.0, 0.0), (150.0, -4.0), (250.0, -8.0)):
+        assert np.interp(s, line.get_xdata(), line.get_ydata()) == pytest.approx(gradient, abs=1e-6)
+    assert "level" in figure.axes[4].get_ylabel()
 
 
 def test_irregular_track_shows_four_signals_and_the_deviations() -> None:

@@ -10,7 +10,7 @@ from run_tables import steady, table, wheel_means
 from hh_exudyn.contact.profile import gauge_point, rail_profile
 from hh_exudyn.conventions import GRAVITY, RAIL_TOP_DISTANCE
 from hh_exudyn.multibody.simulate import simulate
-from track.alignment import rotation, track_frame
+from track.alignment import inclined_frame, inclined_rotation
 from track.flexibility import track_flexibility
 from vehicles.catalogue import vehicle
 from vehicles.description import AxleBoxPad
@@ -139,9 +139,9 @@ def moments(alignment, contact, motion):
 
 def frame(alignment, s):
     """Origin and axes (3, 3) of the track frame at s."""
-    x, y, z, heading, roll, *_ = track_frame(alignment, s)
+    x, y, z, heading, pitch, roll, *_ = inclined_frame(alignment, s)
     axes = np.zeros((3, 3))
-    rotation(heading, roll, axes)
+    inclined_rotation(heading, pitch, roll, axes)
     return np.array([x, y, z]), axes
 
 

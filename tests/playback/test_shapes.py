@@ -6,10 +6,11 @@ import trimesh
 
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
 from hh_exudyn.playback.dimensions import WagonDimensions, wagon_dimensions
+from hh_exudyn.playback.frames import moving_frame
 from hh_exudyn.playback.meshes import box, shaded, turned
 from hh_exudyn.playback.shapes import wagon_shapes
 from hh_exudyn.playback.track_shapes import pieces, rail_section, sleeper
-from track.alignment import Alignment, Curve, Straight, Transition
+from track.alignment import Alignment, Curve, Grade, Straight, Transition
 from vehicles.catalogue import vehicle
 
 
@@ -127,6 +128,24 @@ def test_rails_lie_at_the_gauge_along_a_curve() -> None:
     assert outer.min() - inner.max() == pytest.approx(gauge, abs=1.5e-3)
     assert piece.rails.is_watertight and piece.bed.is_watertight
     assert np.abs(piece.rails.vertices).max() < 30.0  # relative to the piece's own origin
+
+
+def test_track_on_a_gradient_rises_and_its_frames_pitch() -> None:
+    """Rail tops, sleepers and the frames of logs rise by 20 per mille; sleepers stand square to the rails."""
+    slope = 0.020
+    alignment = Alignment((Straight(60.0),), grades=(Grade(60.0, slope),))
+    rail = rail_profile("60E1")
+    piece = next(pieces(alignment, rail, rail, 5.0, 45.0))
+    points = np.asarray(piece.rails.vertices) + piece.origin
+    above = points[:, 2] - slope * points[:, 0]
+    assert above.max() * np.cos(np.arctan(slope)) == pytest.approx(0.0, abs=1e-4)
+    seats = piece.sleepers.position + piece.origin
+    np.testing.assert_allclose(seats[:, 2], slope * seats[:, 0], atol=1e-6)
+    ahead = piece.sleepers.rotation.apply((1.0, 0.0, 0.0))
+    np.testing.assert_allclose(ahead[:, 2] / ahead[:, 0], slope, rtol=1e-9)
+    frame = moving_frame(alignment, np.array([10.0, 50.0]))  # it stays upright: gradients are seen
+    np.testing.assert_allclose(frame.rotation.apply((1.0, 0.0, 0.0))[:, 2], 0.0, atol=1e-9)
+    np.testing.assert_allclose(frame.position[:, 2], [0.2, 1.0], atol=1e-6)
 
 
 def test_pieces_cover_the_way_and_keep_the_sleeper_spacing() -> None:

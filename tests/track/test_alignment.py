@@ -16,8 +16,8 @@ from track.alignment import (
     Straight,
     Transition,
     cant_deficiency,
-    locate,
-    rotation,
+    inclined_locate,
+    inclined_rotation,
     track_frame,
 )
 
@@ -187,7 +187,7 @@ def test_cant_raises_the_outer_rail(hand: str, outer: float) -> None:
     alignment = Alignment.from_sections([Curve(100.0, 400.0, hand, cant=0.15)])
     _, _, _, heading, roll, curvature, _ = track_frame(alignment.table, 70.0)
     turn = np.empty((3, 3))
-    rotation(heading, roll, turn)
+    inclined_rotation(heading, 0.0, roll, turn)
     half = 0.5 * RAIL_TOP_DISTANCE
     outer_rail, inner_rail = turn @ [0.0, outer * half, 0.0], turn @ [0.0, -outer * half, 0.0]
     assert outer_rail[2] - inner_rail[2] == pytest.approx(0.15, abs=1e-15)
@@ -212,9 +212,9 @@ def test_locate_finds_the_foot_of_the_perpendicular_also_on_canted_track() -> No
     turn = np.empty((3, 3))
     for s in random.uniform(-45.0, alignment.length + 45.0, 500):
         x, y, z, heading, roll, _, _ = track_frame(alignment.table, s)
-        rotation(heading, roll, turn)
+        inclined_rotation(heading, 0.0, roll, turn)
         point = np.array([x, y, z]) + turn @ [0.0, random.uniform(-2, 2), random.uniform(0, 3)]
-        found = locate(alignment.table, point[0], point[1], s + random.uniform(-3.0, 3.0))
+        found = inclined_locate(alignment.table, *point, s + random.uniform(-3.0, 3.0))
         assert abs(found - s) < 1e-10
 
 
@@ -224,8 +224,8 @@ def test_outside_the_table_there_is_no_track() -> None:
     assert track_frame(alignment.table, 17.0)[0] == pytest.approx(17.0)
     for s in (-5.001, 17.001, math.nan, math.inf):
         assert all(math.isnan(value) for value in track_frame(alignment.table, s))
-        assert math.isnan(locate(alignment.table, 3.0, 0.0, s))
-    assert math.isnan(locate(alignment.table, 17.5, 0.0, 16.0))
+        assert math.isnan(inclined_locate(alignment.table, 3.0, 0.0, 0.0, s))
+    assert math.isnan(inclined_locate(alignment.table, 17.5, 0.0, 0.0, 16.0))
 
 
 def test_sections_shorter_than_the_step_are_found() -> None:

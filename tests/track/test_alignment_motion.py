@@ -19,8 +19,6 @@ from track.alignment import (
     inclined_frame,
     inclined_locate,
     inclined_rotation,
-    locate,
-    rotation,
     track_frame,
 )
 from track.sections import SHAPES
@@ -119,22 +117,6 @@ def test_a_point_across_any_track_is_located(
     assert abs(inclined_locate(alignment.table, *point, s + error) - s) < 1e-9
 
 
-def test_inclined_kernels_are_the_others_on_level_track() -> None:
-    alignment = Alignment.from_sections([Straight(50.0), Transition(60.0), Curve(90.0, 350.0, "right", 0.12)])
-    level, pitched = np.empty((3, 3)), np.empty((3, 3))
-    for s in np.linspace(-50.0, 250.0, 77):
-        x, y, z, heading, pitch, roll, curvature, gauge = inclined_frame(alignment.table, s)
-        assert (x, y, z, heading, roll, curvature, gauge) == track_frame(alignment.table, s)
-        assert pitch == 0.0
-        rotation(heading, roll, level)
-        inclined_rotation(heading, pitch, roll, pitched)
-        assert np.array_equal(level, pitched)
-        if 0.0 < s < 200.0:
-            assert inclined_locate(alignment.table, x + 0.3, y - 0.2, 1.7, s) == locate(
-                alignment.table, x + 0.3, y - 0.2, s
-            )
-
-
 @pytest.mark.parametrize("hand", ["left", "right"])
 def test_a_point_mass_in_a_canted_curve_feels_the_cant_deficiency(hand: str) -> None:
     radius, cant, v = 450.0, 0.090, 60.0 / 3.6
@@ -156,6 +138,67 @@ def test_a_point_mass_in_a_canted_curve_feels_the_cant_deficiency(hand: str) -> 
         sign * (v**2 / radius * level - GRAVITY * lift * math.cos(fall)), abs=1e-6
     )
     assert felt[2] == pytest.approx(v**2 / radius * lift + GRAVITY * level * math.cos(fall), abs=1e-6)
+
+
+SNAKE = Alignment.from_sections(
+    [
+        Straight(50.0),
+        Transition(60.0),
+        Curve(80.0, 500.0, "left", 0.09),  # from 110 m
+        Transition(40.0),
+        Curve(60.0, 300.0, "left", 0.12),  # from 230 m
+        Transition(100.0, shape="bloss"),
+        Curve(60.0, 400.0, "right", 0.10),  # from 390 m
+        Transition(60.0, shape="cosine"),
+        Straight(40.0),
+    ],
+    grades=[
+        Grade(30.0, 0.0),
+        Grade(100.0, 0.0, 0.010),  # R = 10000 m
+        Grade(170.0, 0.010),
+        Grade(120.0, 0.010, -0.014),  # from 300 m, R = -5000 m
+        Grade(130.0, -0.014),
+    ],
+)
+AT_A_QUARTER = 3 / 16 - 1 / 32  # 3 t^2 - 2 t^3 of Bloss
+
+
+@pytest.mark.parametrize(
+    ("s", "curvature", "cant", "gradient", "bend"),  # by hand
+    [
+        (20.0, 0.0, 0.0, 0.0, 0.0),
+        (80.0, 1 / 1000, 0.045, 0.005, 1e-4),  # middle of the clothoid, in the sag
+        (150.0, 1 / 500, 0.09, 0.010, 0.0),
+        (210.0, 0.5 * (1 / 500 + 1 / 300), 0.105, 0.010, 0.0),  # compound
+        (260.0, 1 / 300, 0.12, 0.010, 0.0),
+        (315.0, 1 / 300 - AT_A_QUARTER * (1 / 300 + 1 / 400), 0.12 - AT_A_QUARTER * 0.22, 0.007, -2e-4),
+        (430.0, -1 / 400, -0.10, -0.014, 0.0),
+        (480.0, -1 / 800, -0.05, -0.014, 0.0),
+        (530.0, 0.0, 0.0, -0.014, 0.0),
+    ],
+)
+def test_a_point_mass_on_any_track_feels_curve_cant_and_vertical_curve_in_t(
+    s: float, curvature: float, cant: float, gradient: float, bend: float
+) -> None:
+    """At constant speed u along T's x axis: u^2 kappa and u^2 kappa_v + g, turned by cant and slope."""
+    u, h = 60.0 / 3.6, 0.02
+
+    def axes(at: float) -> np.ndarray:
+        *_, heading, pitch, roll, _, _ = inclined_frame(SNAKE.table, at)
+        turn = np.empty((3, 3))
+        inclined_rotation(heading, pitch, roll, turn)
+        return turn
+
+    level = 1.0 / math.hypot(1.0, gradient)  # cosine of the slope: plan over path
+    acceleration = u**2 * level * (axes(s + h) - axes(s - h))[:, 0] / (2.0 * h)
+    felt = axes(s).T @ (acceleration + np.array([0.0, 0.0, GRAVITY]))
+    lift = -cant / RAIL_TOP_DISTANCE  # sine of the roll
+    flat = math.sqrt(1.0 - lift**2)
+    sideways = (u * level) ** 2 * curvature
+    upwards = u**2 * bend * level**3 + GRAVITY * level
+    assert felt[0] == pytest.approx(GRAVITY * gradient * level, abs=1e-6)
+    assert felt[1] == pytest.approx(sideways * flat + upwards * lift, abs=1e-6)
+    assert felt[2] == pytest.approx(upwards * flat - sideways * lift, abs=1e-6)
 
 
 def test_a_loop_of_ten_kilometres_closes_within_a_millimetre() -> None:

@@ -1,0 +1,31 @@
+"""What the tables of a case file share: how strict they are, their numbers with unit and range, paths."""
+
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict, Field
+
+
+class CaseTable(BaseModel):
+    """Frozen; no unknown keys, no numbers in quotes, no NaN or infinity."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
+
+
+def number(unit: str, low: float, high: float, default: Any = ...) -> Any:
+    """Field of a number from `low` to `high` [unit]; the error messages read the same texts."""
+    extra: dict[str, Any] = {"unit": unit, "allowed": f"{low:g} to {high:g}"}
+    return Field(default, ge=low, le=high, json_schema_extra=extra)
+
+
+def is_path(name: str) -> bool:
+    """Whether a name is a file: what is built in has neither folder nor ending."""
+    return "/" in name or "\\" in name or "." in name
+
+
+def from_folder(table: Any, folder: Path, *keys: str) -> None:
+    """Let the relative paths that a raw table may have under the keys start at `folder`."""
+    for key in keys:
+        name = table.get(key) if isinstance(table, dict) else None
+        if isinstance(name, str) and name:
+            table[key] = str((folder / name).resolve())
