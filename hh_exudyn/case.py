@@ -8,12 +8,21 @@ what is allowed.
 
 import tomllib
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import tomli_w
-from pydantic import BaseModel, Field, ValidationError, field_validator, model_validator
+from pydantic import (
+    BaseModel,
+    Discriminator,
+    Field,
+    Tag,
+    ValidationError,
+    field_validator,
+    model_validator,
+)
 
 from hh_exudyn.case_errors import CaseError, closest, explain
+from hh_exudyn.case_friction import FrictionCase, FrictionSectionCase, SurfaceCase
 from hh_exudyn.case_tables import (
     LARGEST_GAUGE_MM,
     CaseTable,
@@ -27,6 +36,7 @@ from hh_exudyn.case_tables import (
     number,
     read_profile,
 )
+from hh_exudyn.contact.friction import FrictionTable, constant_friction
 from hh_exudyn.contact.profile import Profile, read_wheel_profile, wheel_profile
 from hh_exudyn.contact.profile_measures import flange_thickness
 from hh_exudyn.contact.types import WheelRailModel
@@ -42,14 +52,28 @@ __all__ = [
     "CaseError",
     "ContactCase",
     "CurveCase",
+    "FrictionCase",
+    "FrictionSectionCase",
     "IntegrationCase",
     "StraightCase",
+    "SurfaceCase",
     "TrackCase",
     "TransitionCase",
     "read_case",
 ]
 
 SHORTEST_TRACK_M = 30.0  # a wagon of 10.29 m and some way to run
+
+
+def _number_or_table(value: Any) -> str:
+    """How friction is given, as a tag of `_Friction`."""
+    return "table" if isinstance(value, dict | FrictionCase) else "number"
+
+
+_Friction = Annotated[
+    Annotated[float, Field(ge=0.01, le=1.0), Tag("number")] | Annotated[FrictionCase, Tag("table")],
+    Discriminator(_number_or_table),
+]
 
 
 class Case(CaseTable):
@@ -67,7 +91,7 @@ class Case(CaseTable):
     name: str = Field(min_length=1, json_schema_extra={"allowed": "a text"})
     vehicle: str = "iore_wagon_loaded"
     speed_km_h: float = number("km/h", 5, 130)
-    friction: float = number("-", 0.01, 1.0)
+    friction: _Friction = Field(json_schema_extra={"allowed": "0.01 to 1, or a table [friction]"})
     wheel_profile: str = "S1002"
     track: TrackCase
     contact: ContactCase = ContactCase()
@@ -114,6 +138,21 @@ class Case(CaseTable):
         self.alignment()
         return self
 
+    @model_validator(mode="after")
+    def _check_friction(self) -> Self:
+        """Its sections lie on the track, and the lubricated wheelsets are there."""
+        if isinstance(self.friction, FrictionCase):
+            end = sum(section.length_m for section in self.track.sections)
+            for i, section in enumerate(self.friction.sections):
+                if section.start_m >= end:
+                    raise ValueError(
+                        f"friction.sections[{i}].start_m = {section.start_m:g} m: allowed below {end:g} m, "
+                        "the length of the track"
+                    )
+            if self.friction.lubricated_wheelsets:
+                self.friction_table(len(vehicle_by_name(self.vehicle).wheelsets))
+        return self
+
     @property
     def speed(self) -> float:
         """Speed of the vehicle [m/s]."""
@@ -132,6 +171,18 @@ class Case(CaseTable):
     def alignment(self) -> Alignment:
         """The track's alignment in SI."""
         return Alignment(tuple(section.section() for section in self.track.sections))
+
+    def friction_table(self, wheelsets: int) -> FrictionTable:
+        """Friction of every patch of the run, for a vehicle with that many wheelsets.
+
+        Raises
+        ------
+        ValueError
+            A wheelset is to be lubricated that the vehicle does not have.
+        """
+        if isinstance(self.friction, FrictionCase):
+            return self.friction.table(wheelsets)
+        return constant_friction([[self.friction, self.friction]] * wheelsets)
 
     def contact_model(self, vehicle: Vehicle | None = None) -> WheelRailModel:
         """The contact of every wheel of the run, for the run and for whoever solves logged patches again.
@@ -171,7 +222,10 @@ class Case(CaseTable):
             if "hand" in section:
                 section["hand"] = other[section["hand"]]
         mirrored = not self.track.irregularity_mirrored
-        return self.with_changes(track={"sections": sections, "irregularity_mirrored": mirrored})
+        return self.with_changes(
+            track={"sections": sections, "irregularity_mirrored": mirrored},
+            friction=self.friction.mirrored() if isinstance(self.friction, FrictionCase) else self.friction,
+        )
 
     def with_changes(self, /, **changes: Any) -> "Case":
         """A changed copy, checked again.
@@ -182,7 +236,7 @@ class Case(CaseTable):
 
     def to_toml(self) -> str:
         """The case as TOML; `read_case` gives an equal case."""
-        return tomli_w.dumps(self.model_dump())
+        return tomli_w.dumps(self.model_dump(exclude_none=True))
 
     @classmethod
     def from_toml(cls, text: str, source: str = "case", folder: Path | None = None) -> "Case":
