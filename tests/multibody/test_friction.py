@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
-from run_tables import table
+from run_tables import steady, table, wheel_means
 
 from hh_exudyn.contact.tangential import creep_force
+from hh_exudyn.conventions import GRAVITY, RAIL_TOP_DISTANCE
 from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.equilibrium import equilibrium
 from hh_exudyn.multibody.model import workspace
@@ -95,3 +96,33 @@ def test_falling_friction_leaves_the_step_as_it_is(case):
         limits.append(MARGIN * largest_stable_step(eigenvalues(model, work, equilibrium(wagon, model, work))))
     assert limits[0] == pytest.approx(limits[1], rel=0.01)
     assert limits[0] >= 0.5e-3
+
+
+def test_slip_beyond_saturation_on_falling_friction_goes_on(demo, runs):
+    """A curve of 250 m: the leading outer flange slides at more than 0.3 m/s, within 5 % of the falling bound.
+
+    The force falls with the slip there. The run ends by itself, no force exceeds the bound, and the wheels
+    carry the weight.
+    """
+    sections = [
+        {"kind": "straight", "length_m": 15.0, "gauge_mm": 1445.0},
+        {"kind": "transition", "length_m": 25.0},
+        {"kind": "curve", "length_m": 40.0, "radius_m": 250.0, "hand": "left", "cant_mm": 65.0,
+         "gauge_mm": 1445.0},
+    ]  # fmt: skip
+    tight = demo.with_changes(
+        friction={"climate": "dry", "falling": "polach_dry"}, track={"sections": sections}
+    )
+    run = simulate(tight, runs / "falling")
+    assert run.status["finished"] is True
+    contact = table(run, "contact")
+    slip = contact.speed * np.hypot(contact.nu_x, contact.nu_y)
+    used = np.hypot(contact.force_x, contact.force_y) / (contact.friction * contact.normal_force)
+    sliding = (slip > 0.3) & (used > 0.95)
+    assert sliding.sum() > 50
+    assert contact.friction[sliding].max() < 0.91 * climate("dry").flange
+    assert used.max() <= 1.0 + 1e-9
+    curve = steady(contact, 1.0)
+    speed, roll = 60.0 / 3.6, np.arcsin(0.065 / RAIL_TOP_DISTANCE)
+    weight = GRAVITY * np.cos(roll) + speed**2 / 250.0 * np.sin(roll)
+    assert wheel_means(curve, "Q").sum() == pytest.approx(vehicle(demo.vehicle).mass * weight, rel=0.03)
