@@ -80,7 +80,8 @@ class Case(CaseTable):
     """One vehicle on one track: what a run is made from.
 
     Attributes carry their units; see the field bounds for the allowed ranges. `wheel_profile` is a published
-    profile (``"S1002"``) or the path of a profile file.
+    profile (``"S1002"``) or the path of a profile file. `friction` is one coefficient for all patches, or a
+    table where it is not the same everywhere (`hh_exudyn.case_friction`).
 
     Raises
     ------

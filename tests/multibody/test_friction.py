@@ -99,7 +99,7 @@ def test_falling_friction_leaves_the_step_as_it_is(case):
 
 
 def test_slip_beyond_saturation_on_falling_friction_goes_on(demo, runs):
-    """A curve of 250 m: the leading outer flange slides at more than 0.3 m/s, within 5 % of the falling bound.
+    """A curve of 250 m: the leading outer flange slides at over 0.3 m/s, within 5 % of the falling bound.
 
     The force falls with the slip there. The run ends by itself, no force exceeds the bound, and the wheels
     carry the weight.
