@@ -8,11 +8,19 @@ what is allowed.
 
 import tomllib
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 import tomli_w
-from pydantic import BaseModel, Field, ValidationError, field_validator, model_validator
+from pydantic import (
+    BaseModel,
+    Discriminator,
+    Field,
+    Tag,
+    ValidationError,
+    field_validator,
+    model_validator,
+)
 
 from hh_exudyn.case_alignment import (
     LARGEST_GAUGE_MM,
@@ -26,7 +34,9 @@ from hh_exudyn.case_alignment import (
 )
 from hh_exudyn.case_errors import CaseError, closest, explain
 from hh_exudyn.case_fields import CaseTable, from_folder, is_path, number
+from hh_exudyn.case_friction import FrictionCase, FrictionSectionCase, SurfaceCase
 from hh_exudyn.case_tables import ContactCase, IntegrationCase, TrackCase, read_profile
+from hh_exudyn.contact.friction import FrictionTable, constant_friction
 from hh_exudyn.contact.profile import Profile, read_wheel_profile, wheel_profile
 from hh_exudyn.contact.profile_measures import flange_thickness
 from hh_exudyn.contact.types import WheelRailModel
@@ -43,10 +53,13 @@ __all__ = [
     "CentreLineCase",
     "ContactCase",
     "CurveCase",
+    "FrictionCase",
+    "FrictionSectionCase",
     "GradeCase",
     "IntegrationCase",
     "RampCase",
     "StraightCase",
+    "SurfaceCase",
     "TrackCase",
     "TransitionCase",
     "read_case",
@@ -55,11 +68,23 @@ __all__ = [
 SHORTEST_TRACK_M = 30.0  # a wagon of 10.29 m and some way to run
 
 
+def _number_or_table(value: Any) -> str:
+    """How friction is given, as a tag of `_Friction`."""
+    return "table" if isinstance(value, dict | FrictionCase) else "number"
+
+
+_Friction = Annotated[
+    Annotated[float, Field(ge=0.01, le=1.0), Tag("number")] | Annotated[FrictionCase, Tag("table")],
+    Discriminator(_number_or_table),
+]
+
+
 class Case(CaseTable):
     """One vehicle on one track: what a run is made from.
 
     Attributes carry their units; see the field bounds for the allowed ranges. `wheel_profile` is a published
-    profile (``"S1002"``) or the path of a profile file.
+    profile (``"S1002"``) or the path of a profile file. `friction` is one coefficient for all patches, or a
+    table where it is not the same everywhere (`hh_exudyn.case_friction`).
 
     Raises
     ------
@@ -70,7 +95,7 @@ class Case(CaseTable):
     name: str = Field(min_length=1, json_schema_extra={"allowed": "a text"})
     vehicle: str = "iore_wagon_loaded"
     speed_km_h: float = number("km/h", 5, 130)
-    friction: float = number("-", 0.01, 1.0)
+    friction: _Friction = Field(json_schema_extra={"allowed": "0.01 to 1, or a table [friction]"})
     wheel_profile: str = "S1002"
     track: TrackCase
     contact: ContactCase = ContactCase()
@@ -127,6 +152,21 @@ class Case(CaseTable):
             raise ValueError(f"{key}: gauge is {narrow:g} to {wide:g} mm: {allowed}")
         return self
 
+    @model_validator(mode="after")
+    def _check_friction(self) -> Self:
+        """Its sections lie on the track, and the lubricated wheelsets are there."""
+        if isinstance(self.friction, FrictionCase):
+            end = self.alignment().length
+            for i, section in enumerate(self.friction.sections):
+                if section.start_m >= end:
+                    raise ValueError(
+                        f"friction.sections[{i}].start_m = {section.start_m:g} m: allowed below {end:g} m, "
+                        "the length of the track"
+                    )
+            if self.friction.lubricated_wheelsets:
+                self.friction_table(len(vehicle_by_name(self.vehicle).wheelsets))
+        return self
+
     @property
     def speed(self) -> float:
         """Speed of the vehicle [m/s]."""
@@ -145,6 +185,18 @@ class Case(CaseTable):
     def alignment(self) -> Alignment:
         """The track's alignment in SI."""
         return self.track.aligned()
+
+    def friction_table(self, wheelsets: int) -> FrictionTable:
+        """Friction of every patch of the run, for a vehicle with that many wheelsets.
+
+        Raises
+        ------
+        ValueError
+            A wheelset is to be lubricated that the vehicle does not have.
+        """
+        if isinstance(self.friction, FrictionCase):
+            return self.friction.table(wheelsets)
+        return constant_friction([[self.friction, self.friction]] * wheelsets)
 
     def contact_model(self, vehicle: Vehicle | None = None) -> WheelRailModel:
         """The contact of every wheel of the run, for the run and for whoever solves logged patches again.
@@ -178,7 +230,10 @@ class Case(CaseTable):
 
     def mirrored(self) -> "Case":
         """The same case with left and right exchanged."""
-        return self.with_changes(track=self.track.mirrored())
+        return self.with_changes(
+            track=self.track.mirrored(),
+            friction=self.friction.mirrored() if isinstance(self.friction, FrictionCase) else self.friction,
+        )
 
     def with_changes(self, /, **changes: Any) -> "Case":
         """A changed copy, checked again.

@@ -5,7 +5,7 @@ import json
 from collections.abc import Iterable
 from typing import Any, get_args
 
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel, Tag, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
@@ -71,9 +71,13 @@ def _locate(
     """Key path as in the file, the table that holds the key, and its field (None if unknown)."""
     key, owner, field = "", model, None
     inner: list[type[BaseModel]] = [model]  # tables that the next key may belong to
+    ways: list[str] = []  # in which the value may be given, which stand in pydantic's path, not in the file
     for part in location:
         if isinstance(part, int):
             key += f"[{part}]"
+            continue
+        if part in ways:
+            ways = []
             continue
         tagged = [table for table in inner if _tag(table) == part]
         if tagged and len(inner) > 1:  # the kind of a section stands in pydantic's path, not in the file
@@ -84,7 +88,7 @@ def _locate(
         field = owner.model_fields.get(part)
         if field is None:
             break
-        inner = _tables(field.annotation)
+        inner, ways = _tables(field.annotation), _ways(field.annotation)
     return key, owner, field
 
 
@@ -93,6 +97,12 @@ def _tables(annotation: Any) -> list[type[BaseModel]]:
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return [annotation]
     return [table for inner in get_args(annotation) for table in _tables(inner)]
+
+
+def _ways(annotation: Any) -> list[str]:
+    """The tags of a type that may be given as this or as that, as a number or a table."""
+    parts = [part for way in get_args(annotation) for part in get_args(way)]
+    return [part.tag for part in parts if isinstance(part, Tag)]
 
 
 def _tag(table: type[BaseModel]) -> str | None:

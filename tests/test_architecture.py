@@ -20,7 +20,7 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "hh_exudyn.contact": (),
     "hh_exudyn.log": (),
     "vehicles": ("hh_exudyn.contact.profile",),
-    "track": ("hh_exudyn.contact.profile",),
+    "track": ("hh_exudyn.contact.profile", "hh_exudyn.contact.friction"),
     "damage": ("hh_exudyn.contact", "hh_exudyn.log"),
     "hh_exudyn.case_errors": (),
     "hh_exudyn.case_fields": (),
@@ -28,9 +28,13 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "hh_exudyn.case_tables": (
         "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.case_fields", "hh_exudyn.case_alignment",
     ),
+    "hh_exudyn.case_friction": (
+        "track", "hh_exudyn.contact", "hh_exudyn.case_errors", "hh_exudyn.case_fields",
+    ),
     "hh_exudyn.case": (
         "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.case_errors", "hh_exudyn.case_tables",
         "hh_exudyn.case_fields", "hh_exudyn.case_alignment",
+        "hh_exudyn.case_friction",
     ),
     "hh_exudyn.multibody": ("hh_exudyn.case", "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.log"),
     "hh_exudyn.playback": (

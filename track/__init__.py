@@ -19,7 +19,7 @@ How even it is
 
 What lies on it
     `rails`               which rail profile lies left and right, by country, radius and wear; gauge
-    `friction`            coefficient by section, zone of the wheel, weather and slip speed (kernel)
+    `friction`            coefficient by section, zone of the wheel, weather, treatment and slip speed
 
 What gives way
     `sleepers`            parameter sets of tracks on sleepers, exact receptance of their rails

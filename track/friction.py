@@ -1,15 +1,18 @@
 """The friction coefficient of a contact: where on the track, where on the wheel, and how fast it slips.
 
 People write `Zones` (a coefficient for tread, gauge corner and flange) for sections of the track, left and
-right, and perhaps a `Falling` characteristic; `Friction.table` makes what the kernel `friction_at` reads.
-Zones and sections pass smoothly into each other, so that creep forces stay continuous.
+right, and perhaps a `Falling` characteristic; `Friction.table` makes what the contact reads for every patch
+(`hh_exudyn.contact.friction`). Zones and sections pass smoothly into each other, so that creep forces stay
+continuous.
 
     >>> dry = climate("cold_dry").treated("flange_lubrication")
     >>> friction = Friction.everywhere(dry, falling=falling("polach_dry"))
-    >>> friction_at(friction.table(), s, LEFT, contact_angle, slip_speed)
+    >>> table = friction.table([()] * 4)  # for a wagon
 
-What a vehicle carries with it, as the locomotive its flange lubrication, is a table of its own for the
-wheelsets that run greased.
+What a vehicle brings with it, as the locomotive its flange lubrication, treats the wheelsets that carry it
+and no other: what they leave on the rail for those behind them is a treatment of the track.
+
+    >>> table = friction.table([("flange_lubrication",), (), (), (), (), ("flange_lubrication",)])
 
 The numbers of climates, treatments and falling characteristics stand with their sources in
 ``track/data/friction.toml``.
@@ -17,77 +20,18 @@ The numbers of climates, treatments and falling characteristics stand with their
 
 import functools
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import NamedTuple, Self
+from typing import Self
 
 import numpy as np
-from numpy.typing import NDArray
 
-from hh_exudyn.kernel import kernel
+from hh_exudyn.contact.friction import FrictionTable
 from track.data_file import DataTable, check_range, own_data
 
 ZONES = ("tread", "gauge_corner", "flange")
 _FRICTION = (0.01, 1.0)  # what a case may have
-
-
-class FrictionTable(NamedTuple):
-    """What the kernel reads. Angles in rad, lengths in m."""
-
-    begin: NDArray[np.float64]  # (n,) where the change to section i begins; the first is not used
-    ramp: float  # length of a change
-    friction: NDArray[np.float64]  # (n, 2, 3) at rest: section, left and right, zone
-    corner_from: float  # contact angles between which tread passes into gauge corner
-    corner_to: float
-    flange_from: float  # and gauge corner into flange
-    flange_to: float
-    ratio: float  # A: friction at infinite slip speed over that at rest [-]
-    decrease: float  # B [s/m]
-
-
-@kernel
-def _smooth_step(x: float) -> float:
-    """From 0 at x <= 0 to 1 at x >= 1, value and slope continuous."""
-    t = min(max(x, 0.0), 1.0)
-    return t * t * (3.0 - 2.0 * t)
-
-
-@kernel
-def friction_at(table: FrictionTable, s: float, side: int, contact_angle: float, slip_speed: float) -> float:
-    """Friction coefficient of one contact [-].
-
-    Parameters
-    ----------
-    table : from `Friction.table`
-    s : arc length of the contact along the track [m]; the first and last section go on without end
-    side : LEFT or RIGHT
-    contact_angle : positive towards the flange [rad]; a contact on the field side belongs to the tread
-    slip_speed : magnitude of the slip velocity, creepage times speed, >= 0 [m/s]
-
-    Returns
-    -------
-    float
-        Continuous in every argument but `side`, with continuous slopes over s and the contact angle.
-    """
-    corner = _smooth_step((contact_angle - table.corner_from) / (table.corner_to - table.corner_from))
-    flange = _smooth_step((contact_angle - table.flange_from) / (table.flange_to - table.flange_from))
-    column = (1 - side) // 2
-
-    low, high = 0, table.begin.shape[0]  # the section: the last whose change has begun
-    while high - low > 1:
-        middle = (low + high) // 2
-        if s >= table.begin[middle]:
-            low = middle
-        else:
-            high = middle
-    zone = table.friction[low, column]
-    friction = zone[0] + corner * (zone[1] - zone[0]) + flange * (zone[2] - zone[1])
-    if low > 0 and s < table.begin[low] + table.ramp:
-        zone = table.friction[low - 1, column]
-        before = zone[0] + corner * (zone[1] - zone[0]) + flange * (zone[2] - zone[1])
-        friction = before + _smooth_step((s - table.begin[low]) / table.ramp) * (friction - before)
-    # Polach 2005: mu = mu0 ((1 - A) exp(-B v) + A)
-    return friction * ((1.0 - table.ratio) * math.exp(-table.decrease * slip_speed) + table.ratio)
 
 
 @dataclass(frozen=True)
@@ -110,6 +54,11 @@ class Zones:
     def even(cls, friction: float) -> Self:
         """The same coefficient everywhere on the wheel."""
         return cls(friction, friction, friction)
+
+    @property
+    def coefficients(self) -> tuple[float, float, float]:
+        """Of tread, gauge corner and flange."""
+        return self.tread, self.gauge_corner, self.flange
 
     def treated(self, *treatments: str) -> "Zones":
         """With lubrication or conditioning, which lowers friction where it is higher and never raises it.
@@ -196,16 +145,31 @@ class Friction:
         """The same zones along the whole track, left and right."""
         return cls((FrictionSection(0.0, zones, zones),), falling)
 
-    def table(self) -> FrictionTable:
-        """What the kernel `friction_at` reads."""
+    def table(self, wheelsets: Sequence[tuple[str, ...]]) -> FrictionTable:
+        """What the contact reads, for a vehicle with these wheelsets.
+
+        Parameters
+        ----------
+        wheelsets : treatments that each wheelset brings with it, mostly none: ``()``
+
+        Raises
+        ------
+        ValueError
+            An unknown treatment (lists the known ones).
+        """
+        surfaces = tuple(dict.fromkeys(wheelsets))
         values = [
-            [[getattr(zones, name) for name in ZONES] for zones in (section.left, section.right)]
-            for section in self.sections
+            [
+                [place.left.treated(*own).coefficients, place.right.treated(*own).coefficients]
+                for place in self.sections
+            ]
+            for own in surfaces
         ]
         return FrictionTable(
             np.array([section.start - 0.5 * self.ramp for section in self.sections]),
             float(self.ramp),
             np.array(values),
+            np.array([surfaces.index(own) for own in wheelsets]),
             *_zone_angles(),
             float(self.falling.ratio),
             float(self.falling.decrease),

@@ -44,6 +44,7 @@ Tangential contact
     `validation`        their errors against the exact solution
 
 All together
+    `friction`          the coefficient of one patch by place, zone of the wheel and slip speed
     `patch_forces`      all forces of one patch
     `wheel_rail`        pose and velocity of wheelsets and rails -> wrenches and contact states, in one kernel
     `wheelset`          a wheel or a wheelset at rest on its rails: the height that carries the load

@@ -2,7 +2,10 @@
 
 Hertz's ellipse or the strips of `non_elliptic` give normal force and patch from the approach, the creepages
 come from the rigid-body velocity of the wheel's material at the contact point relative to the rail,
-`tangential` gives the creep forces.
+`friction` the coefficient for this patch at its slip, `tangential` the creep forces.
+
+The slip speed on which friction falls is that of the patch as a whole (creepages times speed, Polach's w):
+neither the spin, whose slip cancels about the middle, nor what adheres within the patch is seen.
 
 The contact frame C is T rolled about x by side * contact angle: x the rolling direction along the rail, z the
 normal from the rail into the wheel. The contact point of an ellipse is the point of deepest interpenetration,
@@ -12,6 +15,7 @@ that of a patch of strips its centre of pressure; the patch is plane.
 import math
 
 from hh_exudyn.contact.fastrip import force_on_strips
+from hh_exudyn.contact.friction import FrictionTable, friction_at
 from hh_exudyn.contact.hertz import normal_contact
 from hh_exudyn.contact.non_elliptic import CURVATURE_FLOOR, HERTZ, minimum, patch_strips
 from hh_exudyn.contact.search import (
@@ -63,7 +67,9 @@ def add_patch(
     angular_velocity: FloatArray,
     rail_velocity: FloatArray,
     creep_lag: FloatArray,
-    friction: float,
+    friction_table: FrictionTable,
+    wheelset: int,
+    arc_length: float,
     wrench: FloatArray,
     rail_force: FloatArray,
     patch: FloatArray,
@@ -104,6 +110,8 @@ def add_patch(
     # Creep forces (equations.md 2.12-2.15 are the small-angle form of these creepages)
     speed = max(velocity[0], CREEPAGE_SPEED_FLOOR)
     nu_x, nu_y, phi = slip_x / speed, slip_y / speed, spin / speed
+    side = 0 if pair.side > 0.0 else 1
+    friction = friction_at(friction_table, wheelset, side, arc_length, angle, math.hypot(slip_x, slip_y))
     rolling = RollingPatch(a, b, normal, nu_x, nu_y, phi, friction, model.shear_modulus, model.poisson_ratio)
     if model.normal == HERTZ:
         force_x, force_y, moment_z = force_kernel(model.theory, rolling, model.cells_x, model.cells_y)

@@ -14,6 +14,7 @@ import math
 
 import numpy as np
 
+from hh_exudyn.contact.friction import FrictionTable
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.neighbours import find_patches
 from hh_exudyn.contact.non_elliptic import (
@@ -133,7 +134,8 @@ def wheel_rail_forces(
     rail_velocity: FloatArray,
     creep_lag: FloatArray,
     gauge: FloatArray,
-    friction: FloatArray,
+    arc_length: FloatArray,
+    friction: FrictionTable,
     wrench: FloatArray,
     rail_force: FloatArray,
     patches: FloatArray,
@@ -161,8 +163,10 @@ def wheel_rail_forces(
         zero for steady rolling, else the lag of the creep force behind that velocity. The approach has none.
     gauge : FloatArray
         (n,) track gauge there [m].
-    friction : FloatArray
-        (n, 2) friction coefficient, left and right [-].
+    arc_length : FloatArray
+        (n,) where the wheelsets are along the track [m].
+    friction : FrictionTable
+        From `track.friction.Friction.table` or `friction.constant_friction`, for n wheelsets.
     wrench : FloatArray
         (n, 6) out: force on the wheelset and moment about its centre, axes of T [N], [N m].
     rail_force : FloatArray
@@ -221,7 +225,9 @@ def wheel_rail_forces(
                     angular_velocity[i],
                     rail_velocity[i, s],
                     creep_lag[i, s],
-                    friction[i, s],
+                    friction,
+                    i,
+                    arc_length[i],
                     wrench[i],
                     rail_force[i, s],
                     patches[i, s, present],

@@ -18,6 +18,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from hh_exudyn.contact.contact_state import ContactState, contact_state
+from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, Patch, WheelRailModel
@@ -306,7 +307,8 @@ def _solve(
         still,
         still,
         np.array([pose.gauge]),
-        np.full((1, 2), pose.friction),
+        np.zeros(1),
+        constant_friction([[pose.friction, pose.friction]]),
         wrench,
         rail_force,
         patches,

@@ -37,7 +37,7 @@ CONTACT = (
     Column("nu_x", "float64", "-", "longitudinal creepage"),
     Column("nu_y", "float64", "-", "lateral creepage"),
     Column("phi", "float64", "1/m", "spin creepage"),
-    Column("friction", "float64", "-", "friction coefficient"),
+    Column("friction", "float64", "-", "friction coefficient of the patch, at its slip"),
     Column("speed", "float64", "m/s", "forward speed of the wheelset, the reference of the creepages"),
     Column("force_x", "float64", "N", "longitudinal creep force on the wheel"),
     Column("force_y", "float64", "N", "lateral creep force on the wheel"),

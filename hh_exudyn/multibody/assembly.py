@@ -57,7 +57,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         couplings=_couplings(vehicle, numbers),
         wheelsets=np.array([numbers[wheelset.body] for wheelset in vehicle.wheelsets]),
         wheel_rail=case.contact_model(vehicle),
-        friction=np.full((len(vehicle.wheelsets), 2), case.friction),
+        friction=case.friction_table(len(vehicle.wheelsets)),
         alignment=alignment.table,
         irregularity=_irregularity(vehicle, case, alignment),
         flexible=flexible,

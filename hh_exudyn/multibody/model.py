@@ -22,6 +22,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hh_exudyn.contact.friction import FrictionTable
 from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, FloatArray, WheelRailModel
 from hh_exudyn.kernel import inlined_kernel
 from track.alignment import AlignmentTable
@@ -89,7 +90,7 @@ class SystemModel(NamedTuple):
     couplings: Couplings
     wheelsets: IntArray  # (wheelsets,) body numbers
     wheel_rail: WheelRailModel
-    friction: FloatArray  # (wheelsets, 2) left, right
+    friction: FrictionTable
     alignment: AlignmentTable
     irregularity: IrregularityTable
     flexible: bool

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.non_elliptic import NORMAL_THEORIES
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
 from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, Patch
@@ -28,7 +29,8 @@ def test_four_wheelsets(benchmark: Any, normal: str, cells: int) -> None:
     displacement, rail_velocity, creep_lag, rail_force = (np.zeros((n, 2, 2)) for _ in range(4))
     status = benchmark(
         wheel_rail_forces, model, position, axle, velocity, axle * 20.0 / 0.46, displacement, rail_velocity,
-        creep_lag, np.full(n, 1.435), np.full((n, 2), 0.3), np.zeros((n, 6)), rail_force, patches,
+        creep_lag, np.full(n, 1.435), np.zeros(n), constant_friction(np.full((n, 2), 0.3)), np.zeros((n, 6)),
+        rail_force, patches,
     )  # fmt: skip
     assert status == 0
     forces = patches[..., Patch.NORMAL_FORCE].sum(axis=2)

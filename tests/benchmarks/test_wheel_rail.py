@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from hh_exudyn.contact.friction import FrictionTable, constant_friction
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
 from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
 from hh_exudyn.contact.silhouette import wheel_rail_pair
@@ -73,7 +74,8 @@ def many_wheelsets(
     angular_velocity: FloatArray,
     zero: FloatArray,
     gauge: FloatArray,
-    friction: FloatArray,
+    arc_length: FloatArray,
+    friction: FrictionTable,
     wrench: FloatArray,
     rail_force: FloatArray,
     patches: FloatArray,
@@ -86,8 +88,8 @@ def many_wheelsets(
     for i in range(calls):
         position[:, 1] = centre + amplitude * math.sin(0.01 * i)
         wheel_rail_forces(
-            model, position, axle, velocity, angular_velocity, zero, zero, zero, gauge, friction,
-            wrench, rail_force, patches,
+            model, position, axle, velocity, angular_velocity, zero, zero, zero, gauge,
+            arc_length, friction, wrench, rail_force, patches,
         )  # fmt: skip
         for side in range(2):
             for patch in range(MAX_PATCHES):
@@ -123,7 +125,7 @@ def wheelset(place: str) -> tuple[tuple[Any, ...], FloatArray, float]:
     arguments = (
         model, np.tile([0.0, 0.0, RADIUS - depth], (n, 1)), axle, np.tile([20.0, 0.0, 0.0], (n, 1)),
         axle * 20.0 / RADIUS, np.zeros((n, 2, 2)), np.full(n, GAUGE - 2.0 * towards_rail),
-        np.full((n, 2), 0.4), np.zeros((n, 6)), np.zeros((n, 2, 2)), patches,
+        np.zeros(n), constant_friction(np.full((n, 2), 0.4)), np.zeros((n, 6)), np.zeros((n, 2, 2)), patches,
     )  # fmt: skip
     return arguments, patches, amplitude
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.hertz import hertz_patch
 from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.non_elliptic import CURVATURE_FLOOR
@@ -57,7 +58,8 @@ class State:
     def solve(self, contact_model: WheelRailModel = MODEL) -> "State":
         self.status = wheel_rail_forces(
             contact_model, self.position, self.axle, self.velocity, self.angular_velocity,
-            self.rail_displacement, self.rail_velocity, self.creep_lag, self.gauge, self.friction,
+            self.rail_displacement, self.rail_velocity, self.creep_lag, self.gauge,
+            np.zeros(len(self.gauge)), constant_friction(self.friction),
             self.wrench, self.rail_force, self.patches,
         )  # fmt: skip
         return self

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
+from hh_exudyn.contact.friction import friction_at
 from hh_exudyn.contact.polach import polach_force
-from hh_exudyn.conventions import LEFT, RIGHT
 from track.friction import (
     Falling,
     Friction,
@@ -14,35 +14,35 @@ from track.friction import (
     Zones,
     climate,
     falling,
-    friction_at,
     known,
 )
 
+LEFT, RIGHT = 0, 1  # side indices
 ZONES = Zones(0.6, 0.3, 0.1)
 
 
 def test_constant_friction_is_constant() -> None:
-    table = Friction.everywhere(Zones.even(0.4)).table()
+    table = Friction.everywhere(Zones.even(0.4)).table([()])
     for s in (-1e4, 0.0, 123.4, 1e5):
         for angle in np.radians([-20.0, 0.0, 15.0, 45.0, 75.0]):
-            assert friction_at(table, s, LEFT, angle, 0.0) == pytest.approx(0.4, abs=1e-15)
-            assert friction_at(table, s, RIGHT, angle, 3.0) == pytest.approx(0.4, abs=1e-15)
+            assert friction_at(table, 0, LEFT, s, angle, 0.0) == pytest.approx(0.4, abs=1e-15)
+            assert friction_at(table, 0, RIGHT, s, angle, 3.0) == pytest.approx(0.4, abs=1e-15)
 
 
 def test_zones_by_contact_angle() -> None:
-    table = Friction.everywhere(ZONES).table()
+    table = Friction.everywhere(ZONES).table([()])
     for degrees, expected in ((-30, 0.6), (3, 0.6), (15, 0.45), (27, 0.3), (45, 0.2), (70, 0.1)):
         angle = math.radians(degrees)
-        assert friction_at(table, 0.0, LEFT, angle, 0.0) == pytest.approx(expected, abs=1e-12)
+        assert friction_at(table, 0, LEFT, 0.0, angle, 0.0) == pytest.approx(expected, abs=1e-12)
 
 
 def test_zones_pass_smoothly_into_each_other() -> None:
     """No jump and no kink over the contact angle: second differences vanish with the square of the step."""
-    table = Friction.everywhere(ZONES).table()
+    table = Friction.everywhere(ZONES).table([()])
 
     def largest(step: float) -> tuple[float, float]:
         angles = np.arange(0.0, math.radians(80.0), step)
-        values = np.array([friction_at(table, 0.0, LEFT, angle, 0.0) for angle in angles])
+        values = np.array([friction_at(table, 0, LEFT, 0.0, angle, 0.0) for angle in angles])
         return float(np.abs(np.diff(values)).max()), float(np.abs(np.diff(values, 2)).max())
 
     coarse, fine = largest(2e-3), largest(1e-3)
@@ -58,10 +58,10 @@ def test_sections_left_and_right_with_a_ramp() -> None:
         FrictionSection(200.0, greased, greased),
         FrictionSection(300.0, dry, greased),
     )
-    table = Friction(sections, ramp=4.0).table()
+    table = Friction(sections, ramp=4.0).table([()])
 
     def at(s: float) -> tuple[float, float]:
-        return friction_at(table, s, LEFT, 0.0, 0.0), friction_at(table, s, RIGHT, 0.0, 0.0)
+        return friction_at(table, 0, LEFT, s, 0.0, 0.0), friction_at(table, 0, RIGHT, s, 0.0, 0.0)
 
     for s, expected in (
         (-50.0, (0.5, 0.5)),
@@ -81,12 +81,12 @@ def test_sections_left_and_right_with_a_ramp() -> None:
 
 def test_falling_friction_is_polachs() -> None:
     """Half of the fall after ln 2 / B, A at infinity, and the library's Polach force with the same A, B."""
-    table = Friction.everywhere(Zones.even(0.55), falling("polach_dry")).table()
-    assert friction_at(table, 0.0, LEFT, 0.0, 0.0) == pytest.approx(0.55)
-    assert friction_at(table, 0.0, LEFT, 0.0, math.log(2.0) / 0.6) == pytest.approx(0.55 * 0.7)
-    assert friction_at(table, 0.0, LEFT, 0.0, 1e3) == pytest.approx(0.55 * 0.4)
+    table = Friction.everywhere(Zones.even(0.55), falling("polach_dry")).table([()])
+    assert friction_at(table, 0, LEFT, 0.0, 0.0, 0.0) == pytest.approx(0.55)
+    assert friction_at(table, 0, LEFT, 0.0, 0.0, math.log(2.0) / 0.6) == pytest.approx(0.55 * 0.7)
+    assert friction_at(table, 0, LEFT, 0.0, 0.0, 1e3) == pytest.approx(0.55 * 0.4)
     for nu_x, nu_y in ((1e-3, 0.0), (0.02, 0.01), (0.3, -0.1)):
-        friction = friction_at(table, 0.0, LEFT, 0.0, 15.0 * math.hypot(nu_x, nu_y))
+        friction = friction_at(table, 0, LEFT, 0.0, 0.0, 15.0 * math.hypot(nu_x, nu_y))
         built_in = polach_force(
             6e-3, 5e-3, 1.4e5, nu_x, nu_y, 0.1, 0.55, friction_ratio=0.4, friction_decrease=0.6, speed=15.0
         )
