@@ -18,6 +18,7 @@ GAUGE = {"gauge_mm": 1445.0}
 STRAIGHT = {"kind": "straight", "length_m": 150.0, **GAUGE}
 LEVEL = {"length_m": 30.0, "gradient_per_mille": 0.0}
 SAG = {"length_m": 50.0, "gradient_per_mille": 0.0, "end_per_mille": 10.0}  # R = 5000 m
+SHORT = {"length_m": 5.0, "gradient_per_mille": 0.0, "end_per_mille": 4.0}
 RADIUS, CANT, SLOPE = 450.0, 0.065, 0.008
 
 
@@ -73,6 +74,10 @@ def test_the_train_holds_the_wagon_on_a_slope(demo, per_mille):
     [
         ([SAG], r"first 11\.3 m must have one gradient.* goes from .* to 2\.26 per mille"),
         ([{"length_m": 5.0, "gradient_per_mille": 0.0}, SAG], r"goes from -?0 to 1\.26 per mille"),
+        (
+            [SHORT, SHORT | {"gradient_per_mille": 4.0, "end_per_mille": 0.0}],
+            r"goes from .* to [34]\.\d* per mille",
+        ),
     ],
 )
 def test_a_start_on_a_vertical_curve_is_refused(demo, grades, message):
