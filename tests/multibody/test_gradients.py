@@ -5,11 +5,12 @@ import pytest
 from run_tables import steady, table, wheel_means
 
 from hh_exudyn.case import Case
-from hh_exudyn.conventions import GRAVITY, RAIL_TOP_DISTANCE
+from hh_exudyn.conventions import GRAVITY, LEFT, RAIL_TOP_DISTANCE
 from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.equilibrium import equilibrium
 from hh_exudyn.multibody.model import BODY_COORDINATES, Ledger, workspace
 from hh_exudyn.multibody.simulate import simulate
+from hh_exudyn.playback.wheels import contact_frames, wheel_rows
 from vehicles.catalogue import vehicle
 
 WAGON = vehicle("iore_wagon_loaded")
@@ -17,6 +18,7 @@ GAUGE = {"gauge_mm": 1445.0}
 STRAIGHT = {"kind": "straight", "length_m": 150.0, **GAUGE}
 LEVEL = {"length_m": 30.0, "gradient_per_mille": 0.0}
 SAG = {"length_m": 50.0, "gradient_per_mille": 0.0, "end_per_mille": 10.0}  # R = 5000 m
+SHORT = {"length_m": 5.0, "gradient_per_mille": 0.0, "end_per_mille": 4.0}
 RADIUS, CANT, SLOPE = 450.0, 0.065, 0.008
 
 
@@ -72,6 +74,10 @@ def test_the_train_holds_the_wagon_on_a_slope(demo, per_mille):
     [
         ([SAG], r"first 11\.3 m must have one gradient.* goes from .* to 2\.26 per mille"),
         ([{"length_m": 5.0, "gradient_per_mille": 0.0}, SAG], r"goes from -?0 to 1\.26 per mille"),
+        (
+            [SHORT, SHORT | {"gradient_per_mille": 4.0, "end_per_mille": 0.0}],
+            r"goes from .* to [34]\.\d* per mille",
+        ),
     ],
 )
 def test_a_start_on_a_vertical_curve_is_refused(demo, grades, message):
@@ -125,7 +131,8 @@ def test_a_canted_curve_on_a_slope_is_steady_as_statics_say(demo, runs):
     assert given[-1] == pytest.approx(gained[-1], rel=1e-3)
 
 
-def test_compound_and_reverse_curves_run_through(demo, runs):
+@pytest.fixture(scope="module")
+def snake(demo, runs):
     """All shapes of transition, a ramp, gauge at the middle of a transition, a sag and a crest at once."""
     sections = [
         STRAIGHT | {"length_m": 12.0, "gauge_mm": 1435.0},
@@ -145,7 +152,12 @@ def test_compound_and_reverse_curves_run_through(demo, runs):
         {"length_m": 30.0, "gradient_per_mille": 6.0},
         {"length_m": 60.0, "gradient_per_mille": 6.0, "end_per_mille": 0.0},
     ]
-    run = simulate(on_track(demo, sections, *grades), runs / "snake")
+    case = on_track(demo, sections, *grades)
+    return case, simulate(case, runs / "snake")
+
+
+def test_compound_and_reverse_curves_run_through(snake):
+    _, run = snake
     assert run.status["finished"]
     contact, energy = table(run, "contact"), table(run, "energy")
     given, gained = balance(energy)
@@ -155,3 +167,19 @@ def test_compound_and_reverse_curves_run_through(demo, runs):
     assert contact.Q[first].min() > 0.6 * WAGON.mass * GRAVITY / 8
     assert contact.Q[first].max() < 1.4 * WAGON.mass * GRAVITY / 8
     assert np.abs(contact.y_wheelset).max() < 0.012
+
+
+def test_the_playback_puts_contacts_under_their_wheelsets(snake):
+    """Frames of playback and of the run agree: along the track a contact is `x_shift` ahead of its axle."""
+    case, run = snake
+    motion = table(run, "motion")
+    times = np.unique(motion.time)
+    for wheel in wheel_rows(run.read("contact"), times, 1):
+        rails = case.track.rails
+        rail = rails.left_profile() if wheel.side == LEFT else rails.right_profile()
+        frames = contact_frames(wheel, case.alignment(), rail)
+        own = motion.body == f"wheelset_{wheel.name[:-1]}"
+        row = np.searchsorted(times, wheel.columns["time"])
+        axle = np.column_stack([motion.x[own], motion.y[own], motion.z[own]])[row]
+        ahead = ((frames.position - axle) * frames.rotation.apply((1.0, 0.0, 0.0))).sum(axis=1)
+        assert ahead == pytest.approx(wheel.columns["x_shift"], abs=1e-9)
