@@ -23,6 +23,8 @@ from hh_exudyn.contact.types import FloatArray, RailTables, SplineTable
 from hh_exudyn.kernel import inlined_kernel, kernel
 
 CHANGE_LENGTH = 2.0  # m, assumed: over what length one rail passes into another (welded and ground)
+_PROFILE, _START, _GAUGE_POINT, _END = range(4)  # columns of `RailTables.sections`; end: middle of the change
+_Z, _SECOND, _SLOPE = range(3)  # of `RailTables.nodes`
 
 
 @dataclass(frozen=True)
@@ -102,18 +104,19 @@ def rail_tables(course: RailCourse, smoothing: float) -> RailTables:
     points = np.array([gauge_point(profile) for profile in distinct])
     tables = _alike([spline_table(profile, smoothing=smoothing) for profile in distinct], points)
     kept = [i for i in range(len(rows)) if i == 0 or rows[i] != rows[i - 1]]  # no change is left of a section
+    ends = [course.changes[i - 1] for i in kept[1:]] + [math.inf]
     return RailTables(
-        start=np.array([table.start for table in tables]),
         step=tables[0].step,
         per_step=tables[0].per_step,
-        z=np.stack([table.z for table in tables]),
-        second=np.stack([table.second for table in tables]),
-        slope=np.stack([table.slope for table in tables]),
-        bounds=np.stack([table.bounds for table in tables]),
-        gauge_point=points,
-        profile=np.array([rows[i] for i in kept], dtype=np.int64),
-        change=np.array([course.changes[i - 1] for i in kept[1:]]),
         change_length=course.change_length,
+        nodes=np.stack([np.stack([table.z, table.second, table.slope]) for table in tables]),
+        bounds=np.stack([table.bounds for table in tables]),
+        sections=np.array(
+            [
+                (rows[i], tables[rows[i]].start, points[rows[i]], end)
+                for i, end in zip(kept, ends, strict=True)
+            ]
+        ),
     )
 
 
@@ -152,32 +155,28 @@ def _resized(table: SplineTable, before: int, behind: int) -> SplineTable:
 
 @inlined_kernel
 def rail_at(rails: RailTables, s: float) -> tuple[SplineTable, float]:
-    """The rail at arc length s [m], and y of its gauge point [m]: a section's own tables, or a blend."""
-    section, share = _section_at(rails.change, rails.change_length, s)
-    k = rails.profile[section]
+    """The rail at arc length s [m], and y of its gauge point [m]: a section's own table, or a blend."""
+    section, share = _section_at(rails.sections, rails.change_length, s)
     if share > 0.0:
-        return _blended(rails, k, rails.profile[section + 1], share)
+        return _blended(rails, section, share)
+    place = rails.sections[section]
+    k = int(place[_PROFILE])
+    nodes = rails.nodes[k]
     table = SplineTable(
-        rails.start[k],
-        rails.step,
-        rails.z[k],
-        rails.second[k],
-        rails.per_step,
-        rails.slope[k],
-        rails.bounds[k],
+        place[_START], rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE], rails.bounds[k]
     )
-    return table, rails.gauge_point[k]
+    return table, place[_GAUGE_POINT]
 
 
 @inlined_kernel
-def _section_at(change: FloatArray, length: float, s: float) -> tuple[int, float]:
+def _section_at(sections: FloatArray, length: float, s: float) -> tuple[int, float]:
     """The section at arc length s, and how much of the next one's profile there is (w of equation 1)."""
     section = 0
-    while section < change.size and s >= change[section] + 0.5 * length:
+    while section < len(sections) - 1 and s >= sections[section, _END] + 0.5 * length:
         section += 1
-    if section == change.size or not s > change[section] - 0.5 * length:
+    t = (s - sections[section, _END]) / length + 0.5
+    if not t > 0.0:
         return section, 0.0
-    t = (s - change[section]) / length + 0.5
     share = t * t * t * (10.0 + t * (6.0 * t - 15.0))
     if share >= 1.0:  # by rounding, just before its end
         return section + 1, 0.0
@@ -185,28 +184,26 @@ def _section_at(change: FloatArray, length: float, s: float) -> tuple[int, float
 
 
 @kernel
-def _blended(rails: RailTables, one: int, other: int, share: float) -> tuple[SplineTable, float]:
-    """Equation 1 of two rows. Bounds of a sum lie within the sum of the bounds."""
+def _blended(rails: RailTables, section: int, share: float) -> tuple[SplineTable, float]:
+    """Equation 1 of a section and the next. Bounds of a sum lie within the sum of the bounds."""
+    one, other = rails.sections[section], rails.sections[section + 1]
     rest = 1.0 - share
-    # beyond the grid the bounds are infinite in both: the sum keeps that
-    table = SplineTable(
-        rest * rails.start[one] + share * rails.start[other],
-        rails.step,
-        rest * rails.z[one] + share * rails.z[other],
-        rest * rails.second[one] + share * rails.second[other],
-        rails.per_step,
-        rest * rails.slope[one] + share * rails.slope[other],
-        rest * rails.bounds[one] + share * rails.bounds[other],
-    )
-    return table, rest * rails.gauge_point[one] + share * rails.gauge_point[other]
+    nodes = rest * rails.nodes[int(one[_PROFILE])] + share * rails.nodes[int(other[_PROFILE])]
+    # where nothing is known of either, the bounds are infinite, and so is their sum
+    bounds = rest * rails.bounds[int(one[_PROFILE])] + share * rails.bounds[int(other[_PROFILE])]
+    start = rest * one[_START] + share * other[_START]
+    table = SplineTable(start, rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE], bounds)
+    return table, rest * one[_GAUGE_POINT] + share * other[_GAUGE_POINT]
 
 
 @kernel
 def _fill_weights(change: FloatArray, length: float, s: FloatArray, weights: FloatArray) -> None:
     """`RailCourse.weights` into `weights`, (n, sections)."""
+    sections = np.full((change.size + 1, _END + 1), math.inf)
+    sections[:-1, _END] = change
     weights[:] = 0.0
     for i in range(s.size):
-        section, share = _section_at(change, length, s[i])
+        section, share = _section_at(sections, length, s[i])
         weights[i, section] = 1.0 - share
         if share > 0.0:
             weights[i, section + 1] = share

@@ -36,17 +36,13 @@ class RailTables(NamedTuple):
     Node j of one profile lies, within half a step, as far from its gauge point as node j of another.
     """
 
-    start: FloatArray  # (profiles,) as of `SplineTable`, and so on
-    step: float
-    per_step: float
-    z: FloatArray  # (profiles, n)
-    second: FloatArray  # (profiles, n)
-    slope: FloatArray  # (profiles, n)
+    step: float  # node spacing [m]
+    per_step: float  # 1 / step [1/m]
+    change_length: float  # of every change from profile to profile [m]
+    # few arrays: the whole model is copied where a kernel is called that is not inlined
+    nodes: FloatArray  # (profiles, 3, n) z, second, slope as of `SplineTable`
     bounds: FloatArray  # (profiles, levels, n, 2)
-    gauge_point: FloatArray  # (profiles,) y of the gauge point in profile coordinates [m]
-    profile: NDArray[np.int64]  # (sections,) row of each section
-    change: FloatArray  # (sections - 1,) arc length of the middle of each change [m]
-    change_length: float  # [m]
+    sections: FloatArray  # (sections, 4) columns of `rail_tables`: profile, its first node, gauge point; end
 
 
 class WheelRailModel(NamedTuple):

@@ -110,7 +110,8 @@ def test_several_changes_and_equal_neighbours() -> None:
     third = rail_profile("54E1")
     course = RailCourse((ONE, OTHER, OTHER, ONE, third), (10.0, 20.0, 30.0, 40.0), change_length=4.0)
     tables = rail_tables(course, 0.5e-3)
-    assert len(tables.z) == 3 and list(tables.profile) == [0, 1, 0, 2] and list(tables.change) == [10, 30, 40]
+    assert len(tables.nodes) == 3 and list(tables.sections[:, 0]) == [0, 1, 0, 2]
+    assert list(tables.sections[:, 3]) == [10.0, 30.0, 40.0, math.inf]
     for s, rail in ((20.0, OTHER), (35.0, ONE), (50.0, third)):
         assert rail_at(tables, s)[1] == gauge_point(rail)
     weights = course.weights(np.array([0.0, 8.0, 9.0, 10.0, 25.0, 40.0, 1e3]))
@@ -128,7 +129,7 @@ def test_a_rail_without_field_flank_cuts_the_others() -> None:
     kept = ONE.y > -0.020
     short = Profile("measured", "rail", ONE.y[kept], ONE.z[kept])
     tables = rail_tables(RailCourse((ONE, short), (CHANGE,)), 0.5e-3)
-    assert tables.start[0] == pytest.approx(-0.0207, abs=3e-4)
+    assert tables.sections[0, 1] == pytest.approx(-0.0207, abs=3e-4)
     lateral = np.linspace(-0.010, 0.010, 21)
     cut = forces(model(RailCourse((ONE, short), (CHANGE,)), ONE), np.zeros(21), lateral)
     np.testing.assert_allclose(cut, forces(model(ONE, ONE), np.zeros(21), lateral), rtol=1e-6, atol=1e-8)
