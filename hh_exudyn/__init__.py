@@ -6,6 +6,7 @@ from the logs alone; playback and figures show both. Read in this order:
 =============================  ====================================================================
 `hh_exudyn.conventions`        frames, signs, units
 `hh_exudyn.case`               what a run is: vehicle, track, speed, friction, profiles, models
+`hh_exudyn.case_line`          cases from the sections of a line: geometry, rails, gauge, speed
 `vehicles`, `track`            descriptions of the wagon and of the line; force laws without Exudyn
 `hh_exudyn.contact`            one wheel on one rail: profiles, geometry, patches, creep forces
 `hh_exudyn.multibody`          the only importer of Exudyn: assembly, equilibrium, `simulate(case)`

@@ -35,13 +35,14 @@ from hh_exudyn.case_alignment import (
 from hh_exudyn.case_errors import CaseError, closest, explain
 from hh_exudyn.case_fields import CaseTable, from_folder, is_path, number
 from hh_exudyn.case_friction import FrictionCase, FrictionSectionCase, SurfaceCase
-from hh_exudyn.case_tables import ContactCase, IntegrationCase, TrackCase, read_profile
+from hh_exudyn.case_rails import read_profile
+from hh_exudyn.case_tables import ContactCase, IntegrationCase, TrackCase
 from hh_exudyn.contact.friction import FrictionTable, constant_friction
 from hh_exudyn.contact.profile import Profile, read_wheel_profile, wheel_profile
 from hh_exudyn.contact.profile_measures import flange_thickness
 from hh_exudyn.contact.types import WheelRailModel
 from hh_exudyn.contact.wheel_rail import wheel_rail_model
-from hh_exudyn.conventions import BACK_TO_BACK
+from hh_exudyn.conventions import BACK_TO_BACK, LEFT, RIGHT
 from track.alignment import Alignment
 from vehicles.catalogue import VEHICLES
 from vehicles.catalogue import vehicle as vehicle_by_name
@@ -65,6 +66,8 @@ __all__ = [
     "read_case",
 ]
 
+_RAILS = ("rail", "rail_left", "rail_right", "rail_high", "rail_low")
+_FILES = ("wheel_profile", "irregularity", *_RAILS)  # keys whose value may be the path of a file
 SHORTEST_TRACK_M = 30.0  # a wagon of 10.29 m and some way to run
 
 
@@ -215,12 +218,11 @@ class Case(CaseTable):
         radii = {wheelset.radius for wheelset in vehicle.wheelsets}
         if len(radii) > 1:
             raise ValueError(f"vehicle {vehicle.name}: wheel radii {sorted(radii)} m must be equal")
-        rails = self.track.rails
         return wheel_rail_model(
             self.wheel,
             self.wheel,
-            rails.left_profile(),
-            rails.right_profile(),
+            self.track.rail_course(LEFT),
+            self.track.rail_course(RIGHT),
             nominal_radius=radii.pop(),
             damping=self.contact.damping_s_per_m,
             normal=self.contact.normal,
@@ -299,9 +301,11 @@ def _start_in(folder: Path, data: dict[str, Any]) -> None:
     """Relative paths in a raw case start at its folder; names of built-in things stay as they are."""
     track = data.get("track")
     track = track if isinstance(track, dict) else {}
-    for table, key in ((data, "wheel_profile"), (track, "rail"), (track, "irregularity")):
-        if isinstance(table.get(key), str) and is_path(table[key]):
-            from_folder(table, folder, key)
+    sections = track.get("sections")
+    for table in (data, track, *(sections if isinstance(sections, list) else ())):
+        for key in _FILES:
+            if isinstance(table, dict) and isinstance(table.get(key), str) and is_path(table[key]):
+                from_folder(table, folder, key)
     from_folder(track, folder, "alignment", "centre_line")
     from_folder(track.get("centre_line"), folder, "file")
 

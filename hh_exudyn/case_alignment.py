@@ -6,9 +6,11 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from hh_exudyn.case_fields import CaseTable, number
+from hh_exudyn.case_rails import RailName, sided
 from hh_exudyn.conventions import NOMINAL_GAUGE
 from track.alignment import Alignment, Curve, Grade, Ramp, Straight, Transition
 from track.centre_line import fit_centre_line
+from track.rails import RailPair, Rails
 from track.survey import read_centre_line_csv
 
 LARGEST_GAUGE_MM = 1470.0  # beyond it a wheel may drop between the rails
@@ -22,19 +24,26 @@ def _gauge(default: float | None = NOMINAL_GAUGE * 1000) -> Any:
 
 
 class StraightCase(CaseTable):
-    """A straight."""
+    """A straight; where it says nothing of its rails, they are those of the track."""
 
     kind: Literal["straight"] = "straight"
     length_m: float = number("m", 1, 100_000)
     gauge_mm: float = _gauge()
+    rail: RailName | None = None
+    rail_left: RailName | None = None
+    rail_right: RailName | None = None
+
+    def rails(self, track: Rails) -> Rails:
+        """Its rails, on a track with those."""
+        return sided(track, self.rail, self.rail_left, self.rail_right)
 
     def section(self) -> Straight:
         """The section in SI."""
         return Straight(length=self.length_m, gauge=self.gauge_mm / 1000)
 
     def mirrored(self) -> Self:
-        """The same: a straight has no hand."""
-        return self
+        """The same but for the rails: a straight has no hand."""
+        return self.model_copy(update={"rail_left": self.rail_right, "rail_right": self.rail_left})
 
 
 class TransitionCase(CaseTable):
@@ -54,13 +63,19 @@ class TransitionCase(CaseTable):
         gauge = None if self.gauge_mm is None else self.gauge_mm / 1000
         return Transition(length=self.length_m, gauge=gauge, shape=self.shape)
 
+    def rails(self, track: Rails) -> None:
+        """None of its own: they change in its middle from one neighbour's to the other's."""
+
     def mirrored(self) -> Self:
         """The same: its neighbours say where it turns to."""
         return self
 
 
 class CurveCase(CaseTable):
-    """A curve of constant radius; the cant raises its outer rail."""
+    """A curve of constant radius; the cant raises its outer rail.
+
+    Where it says nothing of its high (outer) or low rail, it is that of the track.
+    """
 
     kind: Literal["curve"] = "curve"
     length_m: float = number("m", 1, 100_000)
@@ -68,6 +83,13 @@ class CurveCase(CaseTable):
     hand: Literal["left", "right"]
     cant_mm: float = number("mm", 0, 180, 0.0)
     gauge_mm: float = _gauge()
+    rail_high: RailName | None = None
+    rail_low: RailName | None = None
+
+    def rails(self, track: Rails) -> Rails:
+        """Its rails, on a track with those."""
+        high, low = (track.right, track.left) if self.hand == "left" else (track.left, track.right)
+        return RailPair(self.rail_high or high, self.rail_low or low).rails(self.hand, track.inclination)
 
     def section(self) -> Curve:
         """The section in SI."""
@@ -126,6 +148,9 @@ class RampCase(CaseTable):
             cant=(_signed(c0 / 1000, r0), _signed(c1 / 1000, r1)),
             gauge=(g0 / 1000, g1 / 1000),
         )
+
+    def rails(self, track: Rails) -> None:
+        """None of its own, as a transition."""
 
     def mirrored(self) -> Self:
         """The ramp to the other side."""

@@ -1,22 +1,24 @@
 """The tables of a case file: track, contact, integration. See `hh_exudyn.case`."""
 
 import re
-from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
+from itertools import pairwise
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, field_validator, model_validator
 
 from hh_exudyn.case_alignment import CentreLineCase, GradeCase, SectionCase
 from hh_exudyn.case_fields import CaseTable, is_path, number
+from hh_exudyn.case_rails import RailName, sided
 from hh_exudyn.contact.non_elliptic import check_combination
-from hh_exudyn.contact.profile import Profile, read_rail_profile
+from hh_exudyn.contact.profile import Profile
+from hh_exudyn.contact.rail_tables import CHANGE_LENGTH, RailCourse
+from hh_exudyn.conventions import LEFT
 from track.alignment import Alignment
 from track.alignment_csv import read_alignment_csv
 from track.irregularity import Irregularity, random_irregularity
 from track.irregularity_csv import read_irregularity
-from track.rails import Rails
+from track.rails import Rails, RailsAlong, RailSection
 from track.sleepers import sleeper_track
 from track.spectra import spectrum_names
 
@@ -34,13 +36,19 @@ class TrackCase(CaseTable):
     `alignment` (`track.alignment_csv`); surveyed points, `centre_line`, a file name alone if the defaults
     will do. `alignment_mirrored` is for the two files: sections have hands.
 
+    `rail` lies on both sides but where `rail_left`, `rail_right` or a section say otherwise. One rail passes
+    into another over `rail_change_m` about the middle of a transition, or about the end of a section.
+
     `irregularity` is ``"none"``, a spectrum (`track.spectra.spectrum_names`) of which `irregularity_seed`
     draws a random track with wavelengths from `irregularity_shortest_m` to 70 m, or a measured file
     (`track.irregularity_csv`). It begins ahead of the vehicle, faded in over 50 m. Without `sleeper_passing`
     flexible track is alike on and between its sleepers.
     """
 
-    rail: str = "60E1"
+    rail: RailName = "60E1"
+    rail_left: RailName | None = None
+    rail_right: RailName | None = None
+    rail_change_m: float = number("m", 0.5, 100, CHANGE_LENGTH)
     inclination: str | float = Field(default="1:30", json_schema_extra={"allowed": '"1:15" to "1:100", or 0'})
     flexibility: str = "concrete"
     sleeper_passing: bool = True
@@ -79,14 +87,16 @@ class TrackCase(CaseTable):
             )
         return self
 
-    @field_validator("rail")
-    @classmethod
-    def _check_rail(cls, value: str) -> str:
-        if is_path(value):
-            read_profile(read_rail_profile, value)
-        else:
-            Rails(left=value, right=value).left_profile()
-        return value
+    @model_validator(mode="after")
+    def _check_rail_changes(self) -> Self:
+        starts = [part.start for part in self.rails_along().sections[1:]]
+        for one, other in pairwise(starts):
+            if other - one < self.rail_change_m:
+                raise ValueError(
+                    f"sections: rails change at s = {one:g} m and at {other:g} m: allowed at least "
+                    f"rail_change_m = {self.rail_change_m:g} m apart"
+                )
+        return self
 
     @field_validator("inclination")
     @classmethod
@@ -139,7 +149,11 @@ class TrackCase(CaseTable):
 
     def mirrored(self) -> Self:
         """The same track with left and right exchanged."""
-        changes: dict[str, Any] = {"irregularity_mirrored": not self.irregularity_mirrored}
+        changes: dict[str, Any] = {
+            "irregularity_mirrored": not self.irregularity_mirrored,
+            "rail_left": self.rail_right,
+            "rail_right": self.rail_left,
+        }
         if self.sections is None:
             changes["alignment_mirrored"] = not self.alignment_mirrored
         else:
@@ -187,8 +201,32 @@ class TrackCase(CaseTable):
 
     @property
     def rails(self) -> Rails:
-        """Both rails, with their inclination."""
-        return Rails(left=self.rail, right=self.rail, inclination=self.rail_inclination)
+        """Both rails where no section says otherwise, with their inclination."""
+        both = Rails(left=self.rail, right=self.rail, inclination=self.rail_inclination)
+        return sided(both, None, self.rail_left, self.rail_right)
+
+    def rails_along(self) -> RailsAlong:
+        """Which rails lie where."""
+        track = self.rails
+        stretches = [(part.length_m, part.rails(track)) for part in self.sections or ()]
+        if all(rails is None for _, rails in stretches):  # a file of the alignment, ramps alone
+            return RailsAlong((RailSection(0.0, track),))
+        return RailsAlong.of_stretches(stretches)
+
+    def rail_course(self, side: int) -> RailCourse:
+        """The profiles of one side, `LEFT` or `RIGHT`, along the track."""
+        along = self.rails_along().sections
+        found: list[tuple[float, str, Profile]] = []
+        for part in along:
+            name = part.rails.left if side == LEFT else part.rails.right
+            if not found or found[-1][1] != name:
+                profile = part.rails.left_profile() if side == LEFT else part.rails.right_profile()
+                found.append((part.start, name, profile))
+        return RailCourse(
+            tuple(profile for _, _, profile in found),
+            tuple(start for start, _, _ in found[1:]),
+            self.rail_change_m,
+        )
 
 
 _Cells = Annotated[int, Field(ge=5, le=100)]
@@ -231,14 +269,6 @@ class IntegrationCase(CaseTable):
                 f"step_ms = {self.step_ms:g} ms"
             )
         return self
-
-
-def read_profile(reader: Callable[[Path], Profile], path: str) -> Profile:
-    """Read a profile; a file that may not be read is bad input too."""
-    try:
-        return reader(Path(path))
-    except OSError as error:
-        raise ValueError(f"cannot be read: {error.strerror}") from None
 
 
 def _measured(path: str) -> Irregularity:

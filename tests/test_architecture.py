@@ -24,9 +24,11 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "damage": ("hh_exudyn.contact", "hh_exudyn.log"),
     "hh_exudyn.case_errors": (),
     "hh_exudyn.case_fields": (),
-    "hh_exudyn.case_alignment": ("track", "hh_exudyn.case_fields"),
+    "hh_exudyn.case_rails": ("track", "hh_exudyn.contact", "hh_exudyn.case_fields"),
+    "hh_exudyn.case_alignment": ("track", "hh_exudyn.case_fields", "hh_exudyn.case_rails"),
     "hh_exudyn.case_tables": (
         "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.case_fields", "hh_exudyn.case_alignment",
+        "hh_exudyn.case_rails",
     ),
     "hh_exudyn.case_friction": (
         "track", "hh_exudyn.contact", "hh_exudyn.case_errors", "hh_exudyn.case_fields",
@@ -34,8 +36,9 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "hh_exudyn.case": (
         "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.case_errors", "hh_exudyn.case_tables",
         "hh_exudyn.case_fields", "hh_exudyn.case_alignment",
-        "hh_exudyn.case_friction",
+        "hh_exudyn.case_friction", "hh_exudyn.case_rails",
     ),
+    "hh_exudyn.case_line": ("track", "hh_exudyn.case"),
     "hh_exudyn.multibody": ("hh_exudyn.case", "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.log"),
     "hh_exudyn.playback": (
         "hh_exudyn.log", "hh_exudyn.case", "hh_exudyn.contact", "damage", "vehicles", "track",

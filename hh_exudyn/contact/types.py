@@ -30,18 +30,32 @@ class SplineTable(NamedTuple):
     bounds: FloatArray  # (levels, n, 2) least and largest second derivative from node i to node i + 2^level
 
 
+class RailTables(NamedTuple):
+    """The rails of one side along the track (`rail_tables`): profiles in rows, and which lies where.
+
+    Node j of one profile lies, within half a step, as far from its gauge point as node j of another.
+    """
+
+    step: float  # node spacing [m]
+    per_step: float  # 1 / step [1/m]
+    change_length: float  # of every change from profile to profile [m]
+    # few arrays: the whole model is copied where a kernel is called that is not inlined
+    nodes: FloatArray  # (profiles, 3, n) z, second, slope as of `SplineTable`
+    bounds: FloatArray  # (profiles, levels, n, 2)
+    sections: FloatArray  # (sections, 4) columns of `rail_tables`: profile, its first node, gauge point; end
+
+
 class WheelRailModel(NamedTuple):
     """Everything about the contact that does not change during a run.
 
-    The profiles of the left and right side may differ (a measured wheel, a worn high rail).
+    The profiles of the left and right side may differ (a measured wheel, a worn high rail), and the rails
+    along the track: `rail_tables.rail_at` gives the one at an arc length.
     """
 
     wheel_left: SplineTable
     wheel_right: SplineTable
-    rail_left: SplineTable
-    rail_right: SplineTable
-    gauge_point_left: float  # y of the gauge point in the left rail's profile coordinates [m]
-    gauge_point_right: float
+    rails_left: RailTables
+    rails_right: RailTables
     running_circle_distance: float  # half the lateral distance of the two running circles [m]
     nominal_radius: float  # wheel radius at the running circle [m]
     shear_modulus: float  # of both bodies [Pa]

@@ -13,6 +13,7 @@ import pytest
 
 from hh_exudyn.contact.friction import FrictionTable, constant_friction
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
+from hh_exudyn.contact.rail_tables import rail_at
 from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
 from hh_exudyn.contact.silhouette import wheel_rail_pair
 from hh_exudyn.contact.theories import FASTRIP, force_kernel
@@ -135,9 +136,10 @@ def test_search(benchmark: Callable[..., Any], place: str) -> None:
     """A thousand wheels."""
     arguments, _, amplitude = wheelset(place)
     model, position, axle, gauge = arguments[0], arguments[1][0], arguments[2][0], arguments[6][0]
-    rail_y = 0.5 * gauge + model.gauge_point_left
+    rail, gauge_point = rail_at(model.rails_left, 0.0)
+    rail_y = 0.5 * gauge + gauge_point
     rows = np.zeros((MAX_MINIMA, CONTACT_COLUMNS))
-    tables = model.wheel_left, model.rail_left
+    tables = model.wheel_left, rail
     many_searches(*tables, rail_y, position, axle, amplitude, rows, 1)
     assert benchmark(many_searches, *tables, rail_y, position, axle, amplitude, rows, CALLS) >= CALLS
 
