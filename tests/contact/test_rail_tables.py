@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.profile import Profile, gauge_point, rail_profile, wheel_profile
 from hh_exudyn.contact.profile_spline import spline_evaluate, spline_table, uniform_table
 from hh_exudyn.contact.rail_tables import RailCourse, rail_at, rail_tables
@@ -34,7 +35,7 @@ def forces(contact: WheelRailModel, s: np.ndarray, lateral: np.ndarray, mirrored
     still = np.zeros((n, 2, 2))
     status = wheel_rail_forces(
         contact, position, axle, np.tile([15.0, 0.0, 0.0], (n, 1)), axle * 15.0 / R0, still, still, still,
-        np.full(n, GAUGE), s, np.full((n, 2), 0.3), np.empty((n, 6)), rail_force, patches,
+        np.full(n, GAUGE), s, constant_friction([[0.3, 0.3]] * n), np.empty((n, 6)), rail_force, patches,
     )  # fmt: skip
     assert status == 0
     columns = [Patch.Y_WHEEL, Patch.Y_RAIL, Patch.CONTACT_ANGLE]

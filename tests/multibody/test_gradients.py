@@ -5,7 +5,7 @@ import pytest
 from run_tables import steady, table, wheel_means
 
 from hh_exudyn.case import Case
-from hh_exudyn.conventions import GRAVITY, LEFT, RAIL_TOP_DISTANCE
+from hh_exudyn.conventions import GRAVITY, RAIL_TOP_DISTANCE
 from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.equilibrium import equilibrium
 from hh_exudyn.multibody.model import BODY_COORDINATES, Ledger, workspace
@@ -175,9 +175,7 @@ def test_the_playback_puts_contacts_under_their_wheelsets(snake):
     motion = table(run, "motion")
     times = np.unique(motion.time)
     for wheel in wheel_rows(run.read("contact"), times, 1):
-        rails = case.track.rails
-        rail = rails.left_profile() if wheel.side == LEFT else rails.right_profile()
-        frames = contact_frames(wheel, case.alignment(), rail)
+        frames = contact_frames(wheel, case.alignment(), case.track.rail_course(wheel.side))
         own = motion.body == f"wheelset_{wheel.name[:-1]}"
         row = np.searchsorted(times, wheel.columns["time"])
         axle = np.column_stack([motion.x[own], motion.y[own], motion.z[own]])[row]

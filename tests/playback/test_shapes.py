@@ -135,7 +135,7 @@ def test_track_on_a_gradient_rises_and_its_frames_pitch() -> None:
     """Rail tops, sleepers and the frames of logs rise by 20 per mille; sleepers stand square to the rails."""
     slope = 0.020
     alignment = Alignment((Straight(60.0),), grades=(Grade(60.0, slope),))
-    rail = rail_profile("60E1")
+    rail = RailCourse((rail_profile("60E1"),))
     piece = next(pieces(alignment, rail, rail, 5.0, 45.0))
     points = np.asarray(piece.rails.vertices) + piece.origin
     above = points[:, 2] - slope * points[:, 0]
