@@ -210,11 +210,15 @@ def _grade_table(alignment: "Alignment") -> Table:
         "Gradients",
         ("from [m]", "to [m]", "from [\u2030]", "to [\u2030]", "vertical\u00a0radius [m]"),
     )
+    from track.sections import Grade
+
     start = 0.0
     rest = alignment.length - math.fsum(grade.length for grade in alignment.grades)
-    last = alignment.grades[-1]
-    goes_on = replace(last, length=rest, gradient=last.gradient if last.end is None else last.end, end=None)
-    for grade in (*alignment.grades, *([goes_on] if rest > 1e-6 else [])):
+    grades = alignment.grades
+    if rest > 1e-3:  # the last gradient goes on
+        last = grades[-1].gradient if grades[-1].end is None else grades[-1].end
+        grades += (Grade(rest, last),)
+    for grade in grades:
         end = start + grade.length
         reached = grade.gradient if grade.end is None else grade.end
         change = abs(reached - grade.gradient)

@@ -153,12 +153,14 @@ def test_figure_is_never_written_over(tmp_path: Path) -> None:
     assert "there is no folder" in refused("malmbanan", "--out", tmp_path / "no" / "f.png")
 
 
-def test_gradients_are_listed_to_the_end_of_the_track(demo: Path) -> None:
-    grades = """[track]
+@pytest.mark.parametrize("last", ["", "  {length_m = 90.0, gradient_per_mille = 6.0},\n"])
+def test_gradients_are_listed_to_the_end_of_the_track(demo: Path, last: str) -> None:
+    """Whether the last grade is written out or goes on by itself."""
+    grades = f"""[track]
 grades = [
-  {length_m = 60.0, gradient_per_mille = -4.0},
-  {length_m = 100.0, gradient_per_mille = -4.0, end_per_mille = 6.0},
-]
+  {{length_m = 60.0, gradient_per_mille = -4.0}},
+  {{length_m = 100.0, gradient_per_mille = -4.0, end_per_mille = 6.0}},
+{last}]
 """
     demo.write_text(DEMO.replace("[track]\n", grades))
     table = call(demo).stdout.split("Gradients")[1]
