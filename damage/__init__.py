@@ -6,7 +6,7 @@ Start with `damage.report.assess`, which takes the directory of a run.
 `damage.report`           `assess`: one row per wheel, and the sums behind it
 `damage.summary`          means per wheelset over the last part of a run
 `damage.figures`          wear and fatigue over the wheel profile, shakedown diagram
-`damage.wear`             Archard's law with Jendel's map, wear number
+`damage.wear`             wear laws, wear number
 `damage.rcf`              surface fatigue index
 `damage.shakedown`        shakedown limit of point contact, working points
 `damage.wheel_surface`    the sums over contact states, on a grid fixed to the wheel

@@ -23,7 +23,11 @@ from numpy.typing import NDArray
 from damage.contact_states import CHUNK_ROWS, Chunk, ContactSource, OutputClock, contact_chunks, output_clock
 from damage.material import WheelMaterial
 from damage.rcf import surface_fatigue_index
-from damage.wear import MAP_REGIMES, JendelMap, MapValues, strip_depths, wear_number
+from damage.wear.energy import wear_number
+from damage.wear.jendel import JendelMap
+from damage.wear.laws import archard
+from damage.wear.strip_wear import strip_wear
+from damage.wear.values import REGIMES, LawValues
 from damage.wheel_surface import FLANGE, TREAD, LateralGrid, Wheel, WheelSurface, spread
 from hh_exudyn.contact.theories import FIELD_THEORIES, THEORIES, field_kernel
 from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
@@ -69,7 +73,7 @@ def add_states(
     theory: int,
     shear_modulus: float,
     poisson_ratio: float,
-    wear_map: MapValues,
+    law: LawValues,
     grid_start: float,
     grid_step: float,
     fields: Fields,
@@ -86,18 +90,18 @@ def add_states(
         A value of `theories.THEORIES` that has a field.
     shear_modulus, poisson_ratio
         Elastic constants of wheel and rail [Pa], [-].
-    wear_map
-        Jendel's map.
+    law
+        The wear law.
     grid_start, grid_step
         The bins over the profile [m].
     fields
         Work space (ny, nx).
     strips
-        (ny, 4) work space: depth of each strip and region of the map.
+        (ny, 4) work space: depth of each strip and regime of the law.
     sums
         Result.
     """
-    cells_y, cells_x = fields.pressure.shape
+    cells_y = fields.pressure.shape[0]
     for row in range(states.wheel.size):
         if states.normal_force[row] <= 0.0:
             continue  # bodies that touch without force: no pressure, no wear, no fatigue
@@ -118,17 +122,13 @@ def add_states(
             states.friction[row], shear_modulus, poisson_ratio,
         )  # fmt: skip
         field_kernel(theory, patch, fields)
+        strip_wear(law, patch, fields, speed, states.rolling_radius[row], strips)
         revolutions = rolled / (2.0 * math.pi * states.rolling_radius[row])
         width = 2.0 * b / cells_y
         for strip in range(cells_y):
             lateral = -1.0 + (2 * strip + 1) / cells_y
-            cell_length = 2.0 * a * math.sqrt(1.0 - lateral * lateral) / cells_x
-            strip_depths(
-                fields.pressure[strip], fields.slip_x[strip], fields.slip_y[strip], cell_length, speed,
-                wear_map, strips[strip],
-            )  # fmt: skip
             depth = 0.0
-            for regime in range(MAP_REGIMES):
+            for regime in range(REGIMES):
                 depth += strips[strip, regime]
                 sums.worn_volume[wheel, regime] += strips[strip, regime] * width * rolled
             if depth != 0.0:
@@ -240,11 +240,11 @@ def _block_sums(
         theory,
         material.elastic.shear_modulus,
         material.elastic.poisson_ratio,
-        wear_map.values,
+        archard(wear_map=wear_map).values,
         grid.start,
         grid.step,
         Fields(*np.zeros((5, cells[1], cells[0]))),
-        np.zeros((cells[1], MAP_REGIMES)),
+        np.zeros((cells[1], REGIMES)),
         sums,
     )
     return sums

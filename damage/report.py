@@ -11,7 +11,7 @@ from damage.accumulate import accumulate
 from damage.contact_states import ContactSource
 from damage.material import ER7, WheelMaterial
 from damage.rcf import FLANGE_ANGLE
-from damage.wear import REGIMES, JendelMap
+from damage.wear.jendel import JENDEL_REGIMES, JendelMap
 from damage.wheel_surface import FLANGE, TREAD, LateralGrid, WheelSurface
 
 DEFAULT_GRID = LateralGrid()
@@ -60,7 +60,7 @@ class DamageReport:
         wheels = np.array(surface.wheels, dtype=np.int32).reshape(-1, 4)
         depth = surface.depth_per_km
         volume = surface.worn_volume.sum(axis=1)
-        seizure = surface.worn_volume[:, REGIMES.index("seizure")]
+        seizure = surface.worn_volume[:, JENDEL_REGIMES.index("seizure")]
         return pyarrow.table(
             {
                 "vehicle": wheels[:, 0],

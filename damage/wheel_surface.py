@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from damage.wear import MAP_REGIMES
+from damage.wear.values import REGIMES
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import kernel
 
@@ -105,7 +105,7 @@ class WheelSurface:
     worn_area
         (W, B) worn area of the cross-section [m^2].
     worn_volume
-        (W, 4) worn volume by region of Jendel's map, see `damage.wear.REGIMES` [m^3].
+        (W, 4) worn volume by region of Jendel's map, see `damage.wear.jendel.JENDEL_REGIMES` [m^3].
     contact_time
         (W, 2, B) time that the bin was in contact, on the tread and on the flange [s]; where two patches of
         a wheel overlap, both count.
@@ -154,7 +154,7 @@ class WheelSurface:
             distance=0.0,
             depth=np.zeros((count, bins)),
             worn_area=np.zeros((count, bins)),
-            worn_volume=np.zeros((count, MAP_REGIMES)),
+            worn_volume=np.zeros((count, REGIMES)),
             contact_time=np.zeros((count, 2, bins)),
             fatigue_time=np.zeros((count, 2, bins)),
             patch_time=np.zeros((count, 2)),

@@ -34,7 +34,7 @@ _KERNEL_SOURCES = (  # every file that holds a kernel, or a constant or type tha
     "hh_exudyn/multibody/*.py",
     "vehicles/*.py",
     "track/*.py",
-    "damage/*.py",
+    "damage/**/*.py",
 )
 
 

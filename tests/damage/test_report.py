@@ -15,7 +15,7 @@ from damage.figures.working_points import shakedown_figure
 from damage.material import ER7
 from damage.rcf import FLANGE_ANGLE
 from damage.report import DamageReport, assess
-from damage.wear import JendelMap
+from damage.wear.jendel import JendelMap
 from damage.wheel_surface import LateralGrid, Wheel, WheelSurface
 from hh_exudyn.contact.profile import wheel_profile
 from hh_exudyn.log.store import Recorder, open_run

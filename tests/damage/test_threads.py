@@ -12,7 +12,7 @@ from damage.accumulate import accumulate, usable_processors
 from damage.material import ER7
 from damage.rcf import FLANGE_ANGLE
 from damage.report import assess
-from damage.wear import JendelMap
+from damage.wear.jendel import JendelMap
 from damage.wheel_surface import LateralGrid, WheelSurface
 
 

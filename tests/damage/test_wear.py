@@ -10,7 +10,8 @@ import pytest
 from damage.accumulate import accumulate
 from damage.material import ER7
 from damage.rcf import FLANGE_ANGLE
-from damage.wear import REGIMES, JendelMap, wear_coefficient, wear_number, wear_regime
+from damage.wear.energy import wear_number
+from damage.wear.jendel import JENDEL_REGIMES, JendelMap, wear_coefficient, wear_regime
 from damage.wheel_surface import LateralGrid, WheelSurface
 from hh_exudyn.contact.tangential import cell_areas, creep_force, traction_field
 
@@ -41,7 +42,7 @@ def test_full_slip_is_archard_by_hand(make_log: MakeLog, angle: float) -> None:
     rate = DRY.mild_fast / DRY.hardness * 0.06  # |s| V = 0.9 m/s, p0 = 0.99 GPa < 0.8 H
     assert surface.distance == 15.0
     volume = surface.worn_volume[0] / surface.distance
-    assert volume[REGIMES.index("mild, fast")] == volume.sum()
+    assert volume[JENDEL_REGIMES.index("mild, fast")] == volume.sum()
     # measured: 0.03 % too much volume on 100 x 100 cells
     assert volume.sum() == pytest.approx(rate * LOAD, rel=1e-3)
     peak = rate * 0.5 * np.pi * A * 1.5 * LOAD / (np.pi * A * B) / (2.0 * np.pi * RADIUS)  # m per m rolled
