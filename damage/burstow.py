@@ -16,6 +16,7 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from damage.material import WheelMaterial
 from hh_exudyn.kernel import inlined_kernel
 
 CREEPAGES = (0.001, 0.003, 0.01)
@@ -28,8 +29,8 @@ PATCH_AREA = 100e-6
 class BurstowLimits(NamedTuple):
     """Thresholds as the kernels take them."""
 
-    low: float  # E_1 / A [Pa = J/m per m^2]
-    high: float  # E_2 / A [Pa]
+    high: float  # E_2 / A [Pa = J/m per m^2]
+    per_range: float  # 1 / (E_2 - E_1) times A [1/Pa]
     total: float  # global E_2 [N = J/m]
 
 
@@ -61,9 +62,7 @@ class Burstow:
         for name, unit in (("yield_strength", "Pa"), ("tensile_strength", "Pa"), ("area", "m^2")):
             value = getattr(self, name)
             if not (math.isfinite(value) and value > 0.0):
-                raise ValueError(
-                    f"{name} = {value} {unit} of Burstow's limits must be finite and > 0 {unit}"
-                )
+                raise ValueError(f"{name} = {value} {unit} of Burstow's limits must be finite and > 0 {unit}")
         if self.tensile_strength < self.yield_strength:
             raise ValueError(
                 f"tensile_strength = {self.tensile_strength} Pa must be at least the yield strength, "
@@ -71,6 +70,21 @@ class Burstow:
             )
         if not 0.0 < self.creepages[0] < self.creepages[1] < self.creepages[2]:
             raise ValueError(f"creepages = {self.creepages} [-] must rise from above 0")
+
+    @classmethod
+    def of(cls, material: WheelMaterial) -> "Burstow":
+        """The thresholds of a steel.
+
+        Raises
+        ------
+        ValueError
+            The steel has no tensile strength.
+        """
+        if material.tensile_strength is None:
+            raise ValueError(
+                f"material {material.name!r} has no tensile_strength; Burstow's correction (3.33) needs it"
+            )
+        return cls(material.yield_strength, material.tensile_strength)
 
     @property
     def energies(self) -> tuple[float, float, float]:
@@ -88,10 +102,11 @@ class Burstow:
     @property
     def values(self) -> BurstowLimits:
         """The thresholds for the kernels."""
-        return BurstowLimits(self.densities[0], self.densities[1], self.energies[1])
+        low, high, _ = self.densities
+        return BurstowLimits(high, 1.0 / (high - low), self.energies[1])
 
 
 @inlined_kernel
 def remaining(energy: float, limits: BurstowLimits) -> float:
     """Share of a count that wear leaves in a cell that slips [-]; energy per distance and area [Pa]."""
-    return min(max((limits.high - energy) / (limits.high - limits.low), 0.0), 1.0)
+    return min(max((limits.high - energy) * limits.per_range, 0.0), 1.0)

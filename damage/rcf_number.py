@@ -14,11 +14,14 @@ with the rigid slip of the creepages: the slip's elastic part changes where the 
 import math
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from damage.burstow import BurstowLimits, remaining
 from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
-from hh_exudyn.kernel import inlined_kernel, kernel
+from hh_exudyn.kernel import kernel
 
-COUNTED, CORRECTED, ENERGY = 0, 1, 2  # rows of the work spaces
+COUNTED, CORRECTED, ENERGY = 0, 1, 2  # columns of the work spaces
 COUNTS = 3
 
 
@@ -42,35 +45,27 @@ class Counts(NamedTuple):
 class CountWork(NamedTuple):
     """Work space for one patch."""
 
-    cells: FloatArray  # (3, nx) of a strip's cells
-    bins: FloatArray  # (3, bins along) of a strip
+    along: FloatArray  # (nx,) middles of the cells along a strip over its half length [-]
+    cells: FloatArray  # (3, nx) of a strip
+    sums: FloatArray  # (nx + 1, 3) sums of the cells behind each edge between them
+    bins: FloatArray  # (ny, 3, X) mean of each strip over the bins along it
+    touched: NDArray[np.int64]  # (ny, 2) first bin of each strip, and one beyond the last
+
+
+def count_work(cells: tuple[int, int], bins_along: int) -> CountWork:
+    """Work space for patches of `cells` (along, across) on a number of bins along the patch."""
+    nx, ny = cells
+    return CountWork(
+        (2.0 * np.arange(nx) + 1.0) / nx - 1.0,
+        np.zeros((COUNTS, nx)),
+        np.zeros((nx + 1, COUNTS)),
+        np.zeros((ny, COUNTS, bins_along)),
+        np.zeros((ny, 2), dtype=np.int64),
+    )
 
 
 @kernel
-def patch_energy(patch: RollingPatch, fields: Fields, columns: FloatArray) -> float:
-    """Energy that a patch loses per metre rolled [N = J/m], (3.34) summed over its cells.
-
-    `columns` is work space, (nx,): sums that run side by side, which the compiler makes vectors of.
-    """
-    cells_y, cells_x = fields.pressure.shape
-    q_x, q_y = fields.q_x, fields.q_y
-    columns[:] = 0.0
-    step = 2.0 / cells_x
-    for j in range(cells_y):
-        lateral = -1.0 + (2 * j + 1) / cells_y
-        cosine = math.sqrt(1.0 - lateral * lateral)
-        rigid_x, turn = patch.nu_x - patch.phi * patch.b * lateral, patch.phi * patch.a * cosine
-        for i in range(cells_x):
-            rigid_y = patch.nu_y + turn * ((i + 0.5) * step - 1.0)
-            columns[i] -= cosine * (q_x[j, i] * rigid_x + q_y[j, i] * rigid_y)
-    total = 0.0
-    for i in range(cells_x):
-        total += columns[i]
-    return total * 4.0 * patch.a * patch.b / (cells_x * cells_y)
-
-
-@inlined_kernel
-def _judge_cells(
+def _judge_strip(
     strip: int,
     rigid_x: float,
     rigid_y: float,
@@ -78,43 +73,56 @@ def _judge_cells(
     fields: Fields,
     shear_yield: float,
     limits: BurstowLimits,
-    cells: FloatArray,
+    work: CountWork,
 ) -> None:
-    """Count, corrected count and energy of the cells of a strip; `rigid_y` is that of its middle."""
-    q_x, q_y, slip_x, slip_y = fields.q_x, fields.q_y, fields.slip_x, fields.slip_y
-    cells_x = q_x.shape[1]
-    step = 2.0 / cells_x
+    """Count, corrected count and energy of the cells of a strip; the rigid slip is that of its middle."""
+    q_x, q_y, slip_x, slip_y = (
+        fields.q_x[strip],
+        fields.q_y[strip],
+        fields.slip_x[strip],
+        fields.slip_y[strip],
+    )
+    counted, corrected, lost = work.cells[COUNTED], work.cells[CORRECTED], work.cells[ENERGY]
     square_of_yield = shear_yield * shear_yield
+    for i in range(work.along.size):  # no branch, no sum: the compiler makes vectors of it
+        energy = -(q_x[i] * rigid_x + q_y[i] * (rigid_y + turn * work.along[i]))  # (3.34)
+        count = 1.0 if q_x[i] * q_x[i] + q_y[i] * q_y[i] > square_of_yield else 0.0  # (3.21)
+        left = remaining(energy, limits)
+        slips = slip_x[i] * slip_x[i] + slip_y[i] * slip_y[i] > 0.0
+        counted[i] = count
+        corrected[i] = count * (left if slips else 1.0)
+        lost[i] = energy
+
+
+@kernel
+def _bin_strip(strip: int, half_length: float, bins: Bins, work: CountWork) -> float:
+    """Mean of the cells of a strip over each bin along it; returns the sum of their energies."""
+    cells, sums, result = work.cells, work.sums, work.bins[strip]
+    cells_x = work.along.size
+    counted, corrected, energy = 0.0, 0.0, 0.0
     for i in range(cells_x):
-        q1, q2, s1, s2 = q_x[strip, i], q_y[strip, i], slip_x[strip, i], slip_y[strip, i]
-        energy = -(q1 * rigid_x + q2 * (rigid_y + turn * ((i + 0.5) * step - 1.0)))  # (3.34)
-        count = 1.0 if q1 * q1 + q2 * q2 > square_of_yield else 0.0  # (3.21)
-        left = remaining(energy, limits) if s1 * s1 + s2 * s2 > 0.0 else 1.0
-        cells[COUNTED, i] = count
-        cells[CORRECTED, i] = count * left
-        cells[ENERGY, i] = energy
-
-
-@inlined_kernel
-def _bin_cells(cells: FloatArray, half_length: float, bins: Bins, result: FloatArray) -> tuple[int, int]:
-    """Mean of the strip's cells over each bin along it, zero beyond the strip; first and last bin touched."""
-    cells_x = cells.shape[1]
+        counted += cells[COUNTED, i]
+        corrected += cells[CORRECTED, i]
+        energy += cells[ENERGY, i]
+        sums[i + 1, COUNTED], sums[i + 1, CORRECTED], sums[i + 1, ENERGY] = counted, corrected, energy
     share = 2.0 * half_length / (cells_x * bins.along_step)  # of a bin that a cell covers
     first = max(math.floor((-half_length - bins.along_start) / bins.along_step), 0)
-    last = min(math.floor((half_length - bins.along_start) / bins.along_step), result.shape[1] - 1)
-    low, part = 0, 0.0  # the cell with the bin's rear edge, and how much of it lies behind the edge
-    for place in range(first, last + 1):
+    end = min(math.floor((half_length - bins.along_start) / bins.along_step) + 1, result.shape[1])
+    work.touched[strip, 0], work.touched[strip, 1] = first, end
+    per_length = 0.5 * cells_x / half_length
+    last_counted, last_corrected, last_energy = 0.0, 0.0, 0.0
+    for place in range(first, end):
         edge = bins.along_start + (place + 1) * bins.along_step
-        reach = min(max((edge / half_length + 1.0) * 0.5 * cells_x, 0.0), float(cells_x))
-        high = min(int(reach), cells_x - 1)
-        rest = reach - high
-        for row in range(COUNTS):
-            total = rest * cells[row, high] - part * cells[row, low]
-            for i in range(low, high):
-                total += cells[row, i]
-            result[row, place] = total * share
-        low, part = high, rest
-    return first, last
+        reach = min((edge + half_length) * per_length, float(cells_x))
+        cell = min(int(reach), cells_x - 1)
+        part = reach - cell
+        here = sums[cell, COUNTED] + part * cells[COUNTED, cell]
+        result[COUNTED, place], last_counted = share * (here - last_counted), here
+        here = sums[cell, CORRECTED] + part * cells[CORRECTED, cell]
+        result[CORRECTED, place], last_corrected = share * (here - last_corrected), here
+        here = sums[cell, ENERGY] + part * cells[ENERGY, cell]
+        result[ENERGY, place], last_energy = share * (here - last_energy), here
+    return energy
 
 
 @kernel
@@ -155,23 +163,26 @@ def count_patch(
         Result, added to.
     """
     cells_y, cells_x = fields.pressure.shape
-    wiped = patch_energy(patch, fields, work.cells[0]) > limits.total
-    width = 2.0 * patch.b / cells_y * abs(across)
+    total = 0.0
     for j in range(cells_y):
         lateral = -1.0 + (2 * j + 1) / cells_y
-        half_length = patch.a * math.sqrt(1.0 - lateral * lateral)
-        _judge_cells(
+        cosine = math.sqrt(1.0 - lateral * lateral)
+        half_length = patch.a * cosine
+        _judge_strip(
             j, patch.nu_x - patch.phi * patch.b * lateral, patch.nu_y, patch.phi * half_length, fields,
-            shear_yield, limits, work.cells,
+            shear_yield, limits, work,
         )  # fmt: skip
-        first, last = _bin_cells(work.cells, half_length, bins, work.bins)
-        middle = position + across * patch.b * lateral
+        total += cosine * _bin_strip(j, half_length, bins, work)
+    wiped = total * 4.0 * patch.a * patch.b / (cells_x * cells_y) > limits.total
+    width = 2.0 * patch.b / cells_y * abs(across)
+    for j in range(cells_y):
+        middle = position + across * patch.b * (-1.0 + (2 * j + 1) / cells_y)
         low = (middle - 0.5 * width - bins.start) / bins.step
         high = (middle + 0.5 * width - bins.start) / bins.step
         for place in range(max(math.floor(low), 0), min(math.floor(high), counts.energy.shape[0] - 1) + 1):
             weight = revolutions * (min(high, place + 1.0) - max(low, float(place)))
             left = 0.0 if wiped else weight
-            for x in range(first, last + 1):
-                counts.rcf_number[place, x] += weight * work.bins[COUNTED, x]
-                counts.corrected_rcf_number[place, x] += left * work.bins[CORRECTED, x]
-                counts.energy[place, x] += weight * work.bins[ENERGY, x]
+            for x in range(work.touched[j, 0], work.touched[j, 1]):
+                counts.rcf_number[place, x] += weight * work.bins[j, COUNTED, x]
+                counts.corrected_rcf_number[place, x] += left * work.bins[j, CORRECTED, x]
+                counts.energy[place, x] += weight * work.bins[j, ENERGY, x]

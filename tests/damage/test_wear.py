@@ -8,11 +8,12 @@ import pyarrow
 import pytest
 
 from damage.accumulate import accumulate
-from damage.material import ER7
-from damage.rcf import FLANGE_ANGLE
+from damage.lateral_grid import LateralGrid
+from damage.model import DamageModel
 from damage.wear.energy import wear_number
 from damage.wear.jendel import JENDEL_REGIMES, JendelMap, wear_coefficient, wear_regime
-from damage.wheel_surface import LateralGrid, WheelSurface
+from damage.wear.laws import archard
+from damage.wheel_surface import WheelSurface
 from hh_exudyn.contact.tangential import cell_areas, creep_force, traction_field
 
 MakeLog = Callable[..., pyarrow.Table]
@@ -28,7 +29,9 @@ def wear(
     theory: str = "fastrip",
     grid: LateralGrid = LateralGrid(),  # noqa: B008 (frozen)
 ) -> WheelSurface:
-    return accumulate(table, ER7, theory, cells, wear_map, FLANGE_ANGLE, grid)
+    return accumulate(
+        table, DamageModel(law=archard(wear_map=wear_map), theory=theory, cells=cells, grid=grid)
+    )
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.3, -0.2])
