@@ -49,21 +49,6 @@ def cell_energy(fields: Fields, j: int, i: int) -> float:
     return -(fields.q_x[j, i] * fields.slip_x[j, i] + fields.q_y[j, i] * fields.slip_y[j, i])
 
 
-@kernel
-def rigid_cell_energy(patch: RollingPatch, fields: Fields, j: int, i: int) -> float:
-    """Energy of a cell per area and distance rolled [Pa] of the rigid slip (equation 3.34).
-
-    In stick it is not zero, and not what is dissipated there: it is stored and given back. Its sum over the
-    patch is the same as that of `cell_energy`.
-    """
-    cells_y, cells_x = fields.pressure.shape
-    lateral = -1.0 + (2 * j + 1) / cells_y
-    x = patch.a * math.sqrt(1.0 - lateral * lateral) * (-1.0 + (2 * i + 1) / cells_x)
-    rigid_x = patch.nu_x - patch.phi * patch.b * lateral
-    rigid_y = patch.nu_y + patch.phi * x
-    return -(fields.q_x[j, i] * rigid_x + fields.q_y[j, i] * rigid_y)  # (3.34)
-
-
 def energy_density(field: TractionField) -> NDArray[np.float64]:
     """Energy dissipated per area and distance rolled in the cells of a field (ny, nx) [Pa]; 0 in stick."""
     density: NDArray[np.float64] = -(field.q_x * field.slip_x + field.q_y * field.slip_y)
@@ -73,7 +58,8 @@ def energy_density(field: TractionField) -> NDArray[np.float64]:
 def rigid_energy_density(field: TractionField, nu_x: float, nu_y: float, phi: float) -> NDArray[np.float64]:
     """Energy of the tractions on the rigid slip per area and distance rolled (ny, nx) [Pa], equation 3.34.
 
-    Creepages [-], [-], [1/m]. It may be negative in stick, see `rigid_cell_energy`.
+    Creepages [-], [-], [1/m]. Its sum over the patch is that of `energy_density`, but in stick it is not zero
+    and may be negative: there it is not lost but stored and given back.
     """
     density: NDArray[np.float64] = -(field.q_x * (nu_x - phi * field.y) + field.q_y * (nu_y + phi * field.x))
     return density

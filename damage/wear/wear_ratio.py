@@ -2,8 +2,9 @@
 
 S. Hossein-Nia, paper E, and figure 3-26 of the thesis (KTH 2018): the ratio is learnt from the first wear
 steps, which are computed in full (Archard's law after Jendel); in later steps the energy that the simulation
-gives anyway is multiplied by it, which spares the patches' solution. The price there was an error of 10 to 60 % of
-the worn volume, most of it on the flange where lubrication changes: `error` tells it against a full step.
+gives anyway is multiplied by it, which spares the patches' solution. The price there was an error of 10 to
+60 % of the worn volume, most of it on the flange where lubrication changes: `error` tells it against a full
+step.
 
 Depth and energy lie on the same lateral grid, in any unit that stays the same: metres and joules per bin, or
 depth per km and N.
@@ -27,8 +28,8 @@ class RatioError:
     volume
         Worn volume too much (+) or too little (-), over that of the full step [-].
     misplaced
-        Half the sum of the depths' differences after scaling to the same volume, over the full step's [-]: the
-        share of the volume that lies in the wrong place.
+        Half the sum of the depths' differences after scaling to the same volume, over the full step's [-]:
+        the share of the volume that lies in the wrong place.
     unlearnt
         Share of the energy that lies where nothing was learnt [-].
     """
@@ -140,9 +141,7 @@ class WearRatio:
     def _checked(self, name: str, given: ArrayLike) -> FloatArray:
         values = np.asarray(given, dtype=np.float64)
         if values.ndim == 0 or values.shape[-1] != self.depth.size:
-            raise ValueError(
-                f"{name} {values.shape} must end in the {self.depth.size} positions of the ratio"
-            )
+            raise ValueError(f"{name} {values.shape} must end in the ratio's {self.depth.size} positions")
         if not np.all(np.isfinite(values) & (values >= 0.0)):
             raise ValueError(f"{name} must be finite and >= 0 at every position")
         return values
