@@ -13,10 +13,51 @@ slip (Jendel).
 
 import math
 
-from damage.wear.jendel import wear_coefficient, wear_regime
-from damage.wear.values import REGIMES, LawValues
+from damage.wear.jendel import JENDEL_REGIMES, JendelMap, wear_coefficient, wear_regime
+from damage.wear.law import WearLaw, require_known
+from damage.wear.parameters import parameters
+from damage.wear.values import ARCHARD, NO_RATE, REGIMES, LawValues
 from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
 from hh_exudyn.kernel import kernel
+
+DRY = JendelMap()
+SURFACES = ("dry", "lubricated", "greased")
+SLIPS = ("elastic", "rigid")
+
+
+def archard(
+    surface: str = "dry",
+    slip: str = "elastic",
+    wear_map: JendelMap = DRY,
+    divisor: float | None = None,
+) -> WearLaw:
+    """Archard's law with Jendel's map.
+
+    Parameters
+    ----------
+    surface
+        "dry"; "lubricated" divides the coefficients by 6 (natural lubrication, Jendel), "greased" by 100
+        (Zhu).
+    slip
+        "elastic", the field's own (Enblom), or "rigid", that of the creepages in the slip zone (Jendel).
+    wear_map
+        The dry coefficients and the hardness.
+    divisor
+        Instead of the surface's [-], > 0; 5.5 is also in use for "lubricated".
+
+    Raises
+    ------
+    ValueError
+        Unknown surface or slip, or a divisor that is not above zero.
+    """
+    require_known("surface", surface, SURFACES)
+    require_known("slip", slip, SLIPS)
+    if divisor is None:
+        divisor = 1.0 if surface == "dry" else parameters("surface")[surface].value
+    elif surface == "dry":
+        raise ValueError(f"divisor = {divisor}: a dry surface has none; name the surface it is for")
+    values = LawValues(ARCHARD, slip == "rigid", wear_map.divided(divisor).values, NO_RATE)
+    return WearLaw("archard", JENDEL_REGIMES, values)
 
 
 @kernel

@@ -5,10 +5,13 @@ Tractions and forces act on the wheel and slip is the wheel's relative to the ra
 rolling: the density's sum over the patch is the wear number of the creepages (equation 3.29).
 """
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hh_exudyn.contact.types import Fields, FloatArray
+from hh_exudyn.contact.tangential import TractionField
+from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
 from hh_exudyn.kernel import inlined_kernel, kernel
 
 
@@ -46,9 +49,34 @@ def cell_energy(fields: Fields, j: int, i: int) -> float:
     return -(fields.q_x[j, i] * fields.slip_x[j, i] + fields.q_y[j, i] * fields.slip_y[j, i])
 
 
+def energy_density(field: TractionField) -> NDArray[np.float64]:
+    """Energy dissipated per area and distance rolled in the cells of a field (ny, nx) [Pa]; 0 in stick."""
+    density: NDArray[np.float64] = -(field.q_x * field.slip_x + field.q_y * field.slip_y)
+    return density
+
+
+def rigid_energy_density(field: TractionField, nu_x: float, nu_y: float, phi: float) -> NDArray[np.float64]:
+    """Energy of the tractions on the rigid slip per area and distance rolled (ny, nx) [Pa], equation 3.34.
+
+    Creepages [-], [-], [1/m]. Its sum over the patch is that of `energy_density`, but in stick it is not zero
+    and may be negative: there it is not lost but stored and given back.
+    """
+    density: NDArray[np.float64] = -(field.q_x * (nu_x - phi * field.y) + field.q_y * (nu_y + phi * field.x))
+    return density
+
+
 @kernel
-def energy_density(fields: Fields, energy: FloatArray) -> None:
-    """`cell_energy` of every cell into `energy` (ny, nx) [Pa]; 0 in stick."""
-    for j in range(energy.shape[0]):
-        for i in range(energy.shape[1]):
-            energy[j, i] = cell_energy(fields, j, i)
+def strip_energies(patch: RollingPatch, fields: Fields, energies: FloatArray) -> float:
+    """Energy dissipated per distance rolled in each strip into `energies` (ny,); returns their sum [N]."""
+    cells_y, cells_x = fields.pressure.shape
+    q_x, q_y, slip_x, slip_y = fields.q_x, fields.q_y, fields.slip_x, fields.slip_y
+    cell = 4.0 * patch.a * patch.b / (cells_x * cells_y)
+    total = 0.0
+    for j in range(cells_y):
+        lateral = -1.0 + (2 * j + 1) / cells_y
+        density = 0.0
+        for i in range(cells_x):
+            density -= q_x[j, i] * slip_x[j, i] + q_y[j, i] * slip_y[j, i]
+        energies[j] = density * cell * math.sqrt(1.0 - lateral * lateral)
+        total += energies[j]
+    return total

@@ -37,9 +37,9 @@ class RateValues(NamedTuple):
     The regime is the number of limits at or below the quantity that the law looks at; SI units of the law.
     """
 
-    limits: tuple[float, float, float]  # rising; inf where there are fewer regimes
-    slopes: tuple[float, float, float, float]
-    offsets: tuple[float, float, float, float]
+    limits: tuple[float, ...]  # REGIMES - 1, rising; inf where there are fewer regimes
+    slopes: tuple[float, ...]  # REGIMES
+    offsets: tuple[float, ...]  # REGIMES
 
 
 class LawValues(NamedTuple):
