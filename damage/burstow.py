@@ -78,13 +78,10 @@ class Burstow:
         Raises
         ------
         ValueError
-            The steel has no tensile strength.
+            The steel lacks its yield strength or its tensile strength.
         """
-        if material.tensile_strength is None:
-            raise ValueError(
-                f"material {material.name!r} has no tensile_strength; Burstow's correction (3.33) needs it"
-            )
-        return cls(material.yield_strength, material.tensile_strength)
+        model = "Burstow's correction of the RCF number"
+        return cls(material.require("yield_strength", model), material.require("tensile_strength", model))
 
     @property
     def energies(self) -> tuple[float, float, float]:

@@ -8,7 +8,8 @@ from damage.lateral_grid import LateralGrid, PatchGrid
 from damage.material import ER7, WheelMaterial
 from damage.patch_field import theory_number
 from damage.rcf import FLANGE_ANGLE
-from damage.wear.laws import WearLaw, archard
+from damage.wear.archard import archard
+from damage.wear.law import WearLaw
 
 _NOTHING_WIPED = BurstowLimits(math.inf, 1.0, math.inf)  # thresholds that no energy reaches
 

@@ -15,7 +15,8 @@ from damage.lateral_grid import LateralGrid, PatchGrid
 from damage.material import ER7, WheelMaterial
 from damage.model import DamageModel
 from damage.rcf import FLANGE_ANGLE
-from damage.wear.laws import WearLaw, archard
+from damage.wear.archard import archard
+from damage.wear.law import WearLaw
 from damage.wheel_surface import DEFAULT_PATCH_GRID, FLANGE, TREAD, WheelSurface
 from hh_exudyn.contact.profile import Profile
 
@@ -129,7 +130,7 @@ def assess(
         The wheel profile; one that differs between the wheels is not meant.
     burstow
         Thresholds of Burstow's correction; None takes those of the material, and corrects nothing if that
-        has no tensile strength.
+        lacks a strength they are made of.
     skip_bad_rows
         Leave out rows with NaN, values out of range or forces above friction, and report them.
     threads
@@ -150,7 +151,7 @@ def assess(
         )
     if grid is None:
         grid = LateralGrid() if profile is None else LateralGrid.along(profile)
-    if burstow is None and material.tensile_strength is not None:
+    if burstow is None and material.yield_strength and material.tensile_strength:
         burstow = Burstow.of(material)
     model = DamageModel(material, law, theory, cells, flange_angle, grid, patch_grid, burstow)
     bad_rows = BadRows()

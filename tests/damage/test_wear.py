@@ -10,8 +10,8 @@ import pytest
 from damage.accumulate import accumulate
 from damage.lateral_grid import LateralGrid
 from damage.model import DamageModel
+from damage.wear.archard import archard
 from damage.wear.jendel import JENDEL_REGIMES, JendelMap, wear_coefficient, wear_regime
-from damage.wear.laws import archard
 from damage.wheel_surface import WheelSurface
 
 MakeLog = Callable[..., pyarrow.Table]
