@@ -47,6 +47,7 @@ class Sums(NamedTuple):
     worn_volume: FloatArray  # (REGIMES,)
     contact_time: FloatArray  # (2, B)
     fatigue_time: FloatArray  # (2, B)
+    contact_revolutions: FloatArray  # (2, B)
     fatigue_revolutions: FloatArray  # (2, B)
     ratchet_revolutions: FloatArray  # (2, B)
     crack_damage: FloatArray  # (2, B)
@@ -102,6 +103,7 @@ def add_states(states: States, solving: Solving, work: Work, sums: Sums) -> None
         rolled = speed * interval
         revolutions = rolled / (2.0 * math.pi * radius)
         spread(position, 2.0 * b * stretch, interval, start, step, sums.contact_time[part])
+        spread(position, 2.0 * b * stretch, revolutions, start, step, sums.contact_revolutions[part])
         if states.fatigue_index[row] > 0.0:
             spread(position, 2.0 * b * stretch, interval, start, step, sums.fatigue_time[part])
             spread(position, 2.0 * b * stretch, revolutions, start, step, sums.fatigue_revolutions[part])

@@ -174,7 +174,9 @@ def test_case_is_kept_with_the_run(done: tuple[Path, subprocess.CompletedProcess
 
 
 def test_damage_of_a_run(done: tuple[Path, subprocess.CompletedProcess[str]], tmp_path: Path) -> None:
-    names = ["damage.csv", "fatigue.png", "shakedown.png", "wear.png"]
+    names = [
+        *("damage.csv", "fatigue.png", "rcf_bins.png", "rcf_map.png", "shakedown.png", "wear.png"),
+    ]
     result = call("damage", done[0], "--out", tmp_path / "damage")
     assert result.exit_code == 0, result.stderr
     assert sorted(path.name for path in (tmp_path / "damage").iterdir()) == names
