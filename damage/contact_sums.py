@@ -142,18 +142,21 @@ def _add_strips(
     """Add what is known of every strip of a patch: its wear and its largest indices."""
     cells_y = work.depth.shape[0]
     width = 2.0 * b / cells_y
+    half = 0.5 * width * stretch / step
     for strip in range(cells_y):
-        place = position + across * b * (-1.0 + (2 * strip + 1) / cells_y)
         depth = 0.0
         for regime in range(REGIMES):
             depth += work.depth[strip, regime]
             sums.worn_volume[regime] += work.depth[strip, regime] * width * rolled
-        if depth != 0.0:
-            depth *= revolutions
-            spread(place, width * stretch, depth, start, step, sums.depth)
+        depth *= revolutions
+        ratchets = revolutions if work.stress_index[strip] > 0.0 else 0.0
+        damage = kabo_damage(work.fatigue_index[strip]) * revolutions
+        middle = (position + across * b * (-1.0 + (2 * strip + 1) / cells_y) - start) / step
+        low, high = middle - half, middle + half
+        for place in range(max(int(low), 0), min(int(high), sums.depth.size - 1) + 1):
+            covered = min(high, place + 1.0) - max(low, float(place))
+            sums.depth[place] += depth * covered
             # the depth is normal to the surface, which is wider than its shadow on the lateral coordinate
-            spread(place, width * stretch, depth * step / stretch, start, step, sums.worn_area)
-        if work.stress_index[strip] > 0.0:
-            spread(place, width * stretch, revolutions, start, step, sums.ratchet_revolutions[part])
-            damage = kabo_damage(work.fatigue_index[strip]) * revolutions
-            spread(place, width * stretch, damage, start, step, sums.crack_damage[part])
+            sums.worn_area[place] += depth * covered * step / stretch
+            sums.ratchet_revolutions[part, place] += ratchets * covered
+            sums.crack_damage[part, place] += damage * covered

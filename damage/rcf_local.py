@@ -77,29 +77,18 @@ def strip_indices(
         (ny,) results [Pa], [-].
     """
     cells_y, cells_x = fields.pressure.shape
-    stressed, worst = cells_x // 2, cells_x // 2  # cells with the largest of the strip before
     for strip in range(cells_y):
-        pressure, q_x, q_y = fields.pressure[strip], fields.q_x[strip], fields.q_y[strip]
-        most = q_x[stressed] ** 2 + q_y[stressed] ** 2
-        best = -math.inf
-        if pressure[worst] > 0.0:
-            best = (math.sqrt(q_x[worst] ** 2 + q_y[worst] ** 2) - shear_yield) / pressure[worst]
-        # Neighbouring strips are alike: often no other cell has more, which a sum of comparisons tells fast.
-        # (|q| - k)/p > best without root and division: needed may be below zero, then every |q| is more
-        more = 0
+        most, best = 0.0, -math.inf
         for cell in range(cells_x):
-            square = q_x[cell] * q_x[cell] + q_y[cell] * q_y[cell]
-            needed = shear_yield + best * pressure[cell]
-            more += 1 if square > most else 0
-            more += 1 if square > needed * abs(needed) else 0
-        if more > 0:
-            for cell in range(cells_x):
-                square = q_x[cell] * q_x[cell] + q_y[cell] * q_y[cell]
-                if square > most:
-                    most, stressed = square, cell
-                needed = shear_yield + best * pressure[cell]
-                if pressure[cell] > 0.0 and square > needed * abs(needed):
-                    best, worst = (math.sqrt(square) - shear_yield) / pressure[cell], cell  # (3.17)
+            q_x, q_y = fields.q_x[strip, cell], fields.q_y[strip, cell]
+            pressure = fields.pressure[strip, cell]
+            square = q_x * q_x + q_y * q_y
+            if square > most:
+                most = square
+            # (|q| - k)/p > best without root and division; no number compares with the NaN of p = 0
+            needed = shear_yield + best * pressure
+            if needed < 0.0 or square > needed * needed:
+                best = (math.sqrt(square) - shear_yield) / pressure  # (3.17)
         stress_index[strip] = math.sqrt(most) - shear_yield  # (3.21)
         fatigue_index[strip] = best
 

@@ -1,6 +1,6 @@
 """The command about damage: ``damage`` gives wear and fatigue of a run's wheels. It computes nothing.
 
-Millimetres and kilometres exist here and nowhere deeper. Everything heavy is imported inside functions, so that
+Millimetres and kilometres exist here and nowhere deeper. Everything heavy is imported inside the functions:
 ``--help`` answers at once.
 """
 
