@@ -2,6 +2,9 @@
 
 ==================================  ====================================================================
 `damage.figures.profile_panels`     wear and fatigue over the wheel profile, one panel per wheel
+`damage.figures.local_index`        global and local fatigue indices across a wheel's patches
+`damage.figures.damage_function`    the whole-life rail function
+`damage.figures.ratchetting_strain` stress, strain and failure of layers over the depth
 `damage.figures.working_points`     a run's contact states in the shakedown diagram of a point contact
 ==================================  ====================================================================
 """

@@ -37,9 +37,9 @@ def ratchetting_figure(found: Ratchetting, steel: RatchettingSteel, stress: Floa
         present = found.cycles_to_wear_off > cycles
         middle.plot(strain[present], depth[present], color=shade, linewidth=1.4, label=f"{cycles:.3g}")
     middle.axvline(steel.critical_strain, color="0.5", linewidth=0.8, linestyle="--")
-    middle.text(steel.critical_strain, depth[-1] * 0.98, "$\\gamma_c$ ", ha="right", va="bottom", fontsize=8)
+    middle.text(steel.critical_strain, 0.6 * depth[-1], "$\\gamma_c$ ", ha="right", fontsize=8, color="0.3")
     middle.set_xlabel("plastic shear strain $\\gamma$ [-]")
-    middle.legend(title="cycles", fontsize=8, title_fontsize=8, frameon=False)
+    middle.legend(title="cycles", loc="lower right", fontsize=8, title_fontsize=8, frameon=False)
     failed = found.failed
     if failed.any():
         right.semilogx(

@@ -48,7 +48,7 @@ def test_far_from_saturation_fastsim_is_not_the_highest(demo_run: Run) -> None:
 def test_figure_of_the_run(demo_run: Run, tmp_path: Path) -> None:
     figure = local_index_figure(demo_run)
     outer, inner = figure.axes
-    curves = {line.get_label(): line.get_ydata().max() for line in outer.lines}
+    curves = {line.get_label(): float(np.max(line.get_ydata())) for line in outer.lines}
     assert curves["global"] < curves["local, FaStrip"] < curves["local, FASTSIM"]
     assert outer.get_title().startswith("wheelset 1, right")
     assert inner.lines[0].get_xdata().max() < 0.0  # the inner wheel runs on the field side of its tread
