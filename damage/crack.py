@@ -227,7 +227,7 @@ def miner_sum(
     ValueError
         Values out of their ranges, or strips beyond the grid.
     """
-    count, strips = local.y.shape
+    count = local.width.size
     place, hand, cosine, turns = (
         np.broadcast_to(np.asarray(value, np.float64), count)
         for value in (position, side, stretch, revolutions)
@@ -240,11 +240,8 @@ def miner_sum(
         raise ValueError("stretch must lie in 0..1, zero excluded")
     if not np.all(np.abs(hand) == 1.0):
         raise ValueError("side must be +1 (left) or -1 (right)")
-    half_width = -local.y[:, 0] / (strips - 1.0) if strips > 1 else None
-    if half_width is None:
-        raise ValueError("one strip has no known width; 2 or more are needed")
     centres = place[:, None] - (hand * cosine)[:, None] * local.y
-    widths = 2.0 * half_width * cosine
+    widths = local.width * cosine
     reach = centres - 0.5 * widths[:, None], centres + 0.5 * widths[:, None]
     if reach[0].min(initial=math.inf) < grid.edges[0] or reach[1].max(initial=-math.inf) > grid.edges[-1]:
         raise ValueError(

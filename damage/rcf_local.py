@@ -32,22 +32,25 @@ _PIECE, _LANES = 64, 8  # cells of a strip taken at once, and numbers of a vecto
 
 @dataclass(frozen=True)
 class LocalFatigue:
-    """Largest local indices of every strip of a batch of contact states, arrays (n, strips).
+    """Largest local indices of every strip of a batch of contact states.
 
     Attributes
     ----------
     y
-        Middle of the strips, lateral from the contact's place in the contact frame, to the left [m]. On the
-        wheel profile it lies at y_wheel - side y cos(contact_angle).
+        (n, strips), as what follows: middle of the strips, lateral from the contact's place in the contact
+        frame, to the left [m]. On the wheel profile it lies at y_wheel - side y cos(contact_angle).
     stress_index
         Largest SI [Pa], >= -k; -k where nothing is transmitted.
     fatigue_index
         Largest FI_local [-]; -infinity where there is no pressure.
+    width
+        (n,) width of the strips of each state [m].
     """
 
     y: FloatArray
     stress_index: FloatArray
     fatigue_index: FloatArray
+    width: FloatArray
 
     def to_table(self) -> pyarrow.Table:
         """One row per state and strip: state, strip (from 0), y_m, stress_index_Pa, fatigue_index."""
@@ -187,7 +190,8 @@ def local_indices(
         THEORIES[theory], states, material.elastic.shear_modulus, material.elastic.poisson_ratio,
         material.shear_yield, Fields(*np.zeros((5, ny, nx))), stress_index, fatigue_index,
     )  # fmt: skip
-    return LocalFatigue(states[:, 1:2] * _strip_middles(ny), stress_index, fatigue_index)
+    b_of = states[:, 1]
+    return LocalFatigue(b_of[:, None] * _strip_middles(ny), stress_index, fatigue_index, 2.0 * b_of / ny)
 
 
 def distributed_index(

@@ -16,7 +16,7 @@ GRID = LateralGrid(-0.02, 1e-3, 40)
 def flat(index: float, b: float = 5e-3, strips: int = 10) -> LocalFatigue:
     """One state with the same fatigue index in all its strips, 2 b wide."""
     y = b * (-1.0 + (2.0 * np.arange(strips) + 1.0) / strips)[None, :]
-    return LocalFatigue(y, np.full_like(y, 200e6), np.full_like(y, index))
+    return LocalFatigue(y, np.full_like(y, 200e6), np.full_like(y, index), np.array([2.0 * b / strips]))
 
 
 def test_kabo_by_hand() -> None:
@@ -72,7 +72,9 @@ def test_miner_is_additive_however_the_log_is_cut() -> None:
     place, turns = rng.normal(0, 4e-3, n), rng.uniform(1.0, 5.0, n)
 
     def part(rows: slice) -> MinerSum:
-        piece = LocalFatigue(local.y[rows], local.stress_index[rows], local.fatigue_index[rows])
+        piece = LocalFatigue(
+            local.y[rows], local.stress_index[rows], local.fatigue_index[rows], local.width[rows]
+        )
         return miner_sum(piece, place[rows], -1, 0.98, turns[rows], float(turns[rows].sum()), KABO, GRID)
 
     whole = part(slice(None))
