@@ -74,11 +74,11 @@ class DamageFunction:
         return pyarrow.table({"wear_number_N": energy, "damage": self.damage(energy)})
 
 
-BURSTOW = DamageFunction()
-TWENTE = DamageFunction(onset=20.0)
+BURSTOW_RAIL = DamageFunction()
+TWENTE_RAIL = DamageFunction(onset=20.0)
 
 
-def rescaled(energies: tuple[float, float, float], function: DamageFunction = BURSTOW) -> DamageFunction:
+def rescaled(energies: tuple[float, float, float], function: DamageFunction = BURSTOW_RAIL) -> DamageFunction:
     """The damage function with the turning points of another steel.
 
     Parameters

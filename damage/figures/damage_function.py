@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from damage.whole_life_rail import BURSTOW, DamageFunction
+from damage.whole_life_rail import BURSTOW_RAIL, DamageFunction
 
 _COLOURS = ("black", "#8c2d04", "#2b5c8a", "#4d7c4d")
 
@@ -16,7 +16,7 @@ def damage_function_figure(functions: dict[str, DamageFunction] | None = None) -
     functions
         By name, at most four; None for Burstow's of rails.
     """
-    shown = functions or {"rail (Burstow)": BURSTOW}
+    shown = functions or {"rail (Burstow)": BURSTOW_RAIL}
     highest = max(function.balance for function in shown.values()) * 1.3
     energy = np.unique(  # with the turning points, so that no peak is cut
         np.concatenate(

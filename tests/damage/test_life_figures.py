@@ -10,11 +10,11 @@ from damage.figures.damage_function import damage_function_figure
 from damage.figures.local_index import local_index_figure
 from damage.figures.ratchetting_strain import ratchetting_figure
 from damage.ratchetting import RatchettingSteel, ratchet
-from damage.whole_life_rail import BURSTOW, rescaled
+from damage.whole_life_rail import BURSTOW_RAIL, rescaled
 
 
 def test_damage_function_has_its_peak(tmp_path: Path) -> None:
-    figure = damage_function_figure({"rail": BURSTOW, "ER7": rescaled((40.4, 121.2, 404.1))})
+    figure = damage_function_figure({"rail": BURSTOW_RAIL, "ER7": rescaled((40.4, 121.2, 404.1))})
     rail, wheel = figure.axes[0].lines[:2]
     for line, peak in ((rail, 65.0), (wheel, 121.2)):
         highest = int(np.argmax(line.get_ydata()))
