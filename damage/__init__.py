@@ -8,10 +8,13 @@ Start with `damage.report.assess`, which takes a run, files, a table or arrays.
 `damage.figures`          wear and fatigue over the wheel profile, shakedown diagram
 `damage.wear`             wear laws, wear number
 `damage.rcf`              surface fatigue index
-`damage.rcf_local`        stress and fatigue index in the cells of a patch
 `damage.rcf_number`       revolutions beyond shakedown, place by place in patch and profile
 `damage.burstow`          how much of that is left beside wear
 `damage.miner`            Kabo's life of a fatigue index, for Miner's sum
+`damage.rcf_local`        stress and fatigue index over a patch, largest per strip
+`damage.crack`            cycles to failure, Miner's sum, size of cracks
+`damage.whole_life_rail`  damage over the wear number, fatigue against wear
+`damage.ratchetting`      plastic shear of layers below the surface
 `damage.shakedown`        shakedown limit of point contact, working points
 `damage.wheel_surface`    the sums over contact states, on a grid fixed to the wheel
 `damage.lateral_grid`     the bins of that grid, along the arc of the profile

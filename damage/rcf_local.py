@@ -25,27 +25,32 @@ from numpy.typing import ArrayLike
 from damage.material import WheelMaterial
 from hh_exudyn.contact.theories import FIELD_THEORIES, THEORIES, field_kernel
 from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import kernel, memory, shaped
+
+_PIECE, _LANES = 64, 8  # cells of a strip taken at once, and numbers of a vector register
 
 
 @dataclass(frozen=True)
 class LocalFatigue:
-    """Largest local indices of every strip of a batch of contact states, arrays (n, strips).
+    """Largest local indices of every strip of a batch of contact states.
 
     Attributes
     ----------
     y
-        Middle of the strips, lateral from the contact's place in the contact frame, to the left [m]. On the
-        wheel profile it lies at y_wheel - side y cos(contact_angle).
+        (n, strips), as what follows: middle of the strips, lateral from the contact's place in the contact
+        frame, to the left [m]. On the wheel profile it lies at y_wheel - side y cos(contact_angle).
     stress_index
         Largest SI [Pa], >= -k; -k where nothing is transmitted.
     fatigue_index
         Largest FI_local [-]; -infinity where there is no pressure.
+    width
+        (n,) width of the strips of each state [m].
     """
 
     y: FloatArray
     stress_index: FloatArray
     fatigue_index: FloatArray
+    width: FloatArray
 
     def to_table(self) -> pyarrow.Table:
         """One row per state and strip: state, strip (from 0), y_m, stress_index_Pa, fatigue_index."""
@@ -77,18 +82,27 @@ def strip_indices(
         (ny,) results [Pa], [-].
     """
     cells_y, cells_x = fields.pressure.shape
+    # the largest of every eighth cell first: loops of known length become vector instructions
+    squares, indices = shaped(memory(_PIECE), (_PIECE,)), shaped(memory(_PIECE), (_PIECE,))
     for strip in range(cells_y):
+        pressure, q_x, q_y = fields.pressure[strip], fields.q_x[strip], fields.q_y[strip]
         most, best = 0.0, -math.inf
-        for cell in range(cells_x):
-            q_x, q_y = fields.q_x[strip, cell], fields.q_y[strip, cell]
-            pressure = fields.pressure[strip, cell]
-            square = q_x * q_x + q_y * q_y
-            if square > most:
-                most = square
-            # (|q| - k)/p > best without root and division; no number compares with the NaN of p = 0
-            needed = shear_yield + best * pressure
-            if needed < 0.0 or square > needed * needed:
-                best = (math.sqrt(square) - shear_yield) / pressure  # (3.17)
+        for first in range(0, cells_x, _PIECE):
+            count = min(cells_x - first, _PIECE)
+            for cell in range(count):
+                at = first + cell
+                square = q_x[at] * q_x[at] + q_y[at] * q_y[at]
+                squares[cell] = square
+                indices[cell] = (math.sqrt(square) - shear_yield) / pressure[at]  # (3.17)
+            for cell in range(count, _PIECE):
+                squares[cell], indices[cell] = 0.0, -math.inf
+            for start in range(_LANES, _PIECE, _LANES):
+                for lane in range(_LANES):
+                    other = start + lane
+                    squares[lane] = squares[other] if squares[other] > squares[lane] else squares[lane]
+                    indices[lane] = indices[other] if indices[other] > indices[lane] else indices[lane]
+            for lane in range(_LANES):
+                most, best = max(most, squares[lane]), max(best, indices[lane])
         stress_index[strip] = math.sqrt(most) - shear_yield  # (3.21)
         fatigue_index[strip] = best
 
@@ -176,7 +190,8 @@ def local_indices(
         THEORIES[theory], states, material.elastic.shear_modulus, material.elastic.poisson_ratio,
         material.shear_yield, Fields(*np.zeros((5, ny, nx))), stress_index, fatigue_index,
     )  # fmt: skip
-    return LocalFatigue(states[:, 1:2] * _strip_middles(ny), stress_index, fatigue_index)
+    b_of = states[:, 1]
+    return LocalFatigue(b_of[:, None] * _strip_middles(ny), stress_index, fatigue_index, 2.0 * b_of / ny)
 
 
 def distributed_index(
