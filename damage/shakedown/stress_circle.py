@@ -16,8 +16,8 @@ Johnson's diagrams and Table 3-1. With sigma_y, the third principal stress in pl
 middle of the patch would begin a little earlier under friction (`SubsurfaceStress.max_shear`).
 
 The centre is the same at all depths, as Table 3-1 has it. For ``perfect`` a residual stress that varies with
-depth is admissible too; its limit, 1/max|tau_xz/p0|, is the same but between mu = 0.36 and 0.375, where it is
-up to 0.7 per cent higher.
+depth is admissible too; its limit, 1/max|tau_xz/p0|, is the same but between mu = 0.35 and 0.376, where it
+is up to 0.8 per cent higher.
 
 Method: the circle around a grid of places; where the field reaches farthest out of it, the places are
 refined and added, until the circle grows no more.

@@ -1,5 +1,6 @@
 """The figures of line contact and shakedown show the numbers of the thesis's."""
 
+from collections.abc import Callable
 from io import BytesIO
 
 import numpy as np
@@ -34,14 +35,14 @@ def at(figure: Figure, label: str, x: float) -> float:
         line_contact_map, partial_slip_map, point_contact_map, trajectories_figure, partial_slip_figure,
     ],
 )  # fmt: skip
-def test_draws(figure: object) -> None:
+def test_draws(figure: Callable[[], Figure]) -> None:
     buffer = BytesIO()
     figure().savefig(buffer, dpi=40)
     assert len(buffer.getvalue()) > 3000
 
 
 def test_principal_shear_names_its_maximum() -> None:
-    """Figures 3-4 and 3-6: 0.300 p0 at 0.78 a, 13 per cent more from mu = 0.1 to 0.3; on the surface at 0.5."""
+    """Figures 3-4 and 3-6: 0.300 p0 at 0.78 a, 13 per cent more from mu = 0.1 to 0.3, surface at 0.5."""
     titles = [axes.get_title() for axes in principal_shear_figure((0.0, 0.1, 0.3, 0.5)).axes]
     assert "0.300 $p_0$ at $x$ = 0.00 $a$, 0.79 $a$ deep" in titles[0]
     assert "0.305" in titles[1]
@@ -99,10 +100,10 @@ def test_maps() -> None:
 
 
 @pytest.mark.parametrize(
-    "figure", [trajectories_figure(), partial_slip_figure(), partial_slip_figure(0.4, -0.3)]
+    "draw", [trajectories_figure, partial_slip_figure, lambda: partial_slip_figure(0.4, -0.3)]
 )
-def test_circles_hold_the_trajectories(figure: Figure) -> None:
-    axes = figure.axes[-1]
+def test_circles_hold_the_trajectories(draw: Callable[[], Figure]) -> None:
+    axes = draw().axes[-1]
     circles = [patch for patch in axes.patches if isinstance(patch, Circle)]
     assert len(circles) == 3
     assert circles[0].radius > circles[1].radius > circles[2].radius
