@@ -21,8 +21,8 @@ import numpy as np
 import pyarrow
 from numpy.typing import ArrayLike
 
+from damage.lateral_grid import LateralGrid, spread
 from damage.rcf_local import LocalFatigue
-from damage.wheel_surface import LateralGrid, spread
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import kernel
 

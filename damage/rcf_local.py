@@ -25,9 +25,9 @@ from numpy.typing import ArrayLike
 from damage.material import WheelMaterial
 from hh_exudyn.contact.theories import FIELD_THEORIES, THEORIES, field_kernel
 from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
-from hh_exudyn.kernel import kernel, memory, shaped
+from hh_exudyn.kernel import kernel
 
-_PIECE, _LANES = 64, 8  # cells of a strip taken at once, and numbers of a vector register
+_ROUNDED_UP = 1.0 + 1e-14  # so that a cell does not exceed itself by rounding
 
 
 @dataclass(frozen=True)
@@ -82,27 +82,35 @@ def strip_indices(
         (ny,) results [Pa], [-].
     """
     cells_y, cells_x = fields.pressure.shape
-    # the largest of every eighth cell first: loops of known length become vector instructions
-    squares, indices = shaped(memory(_PIECE), (_PIECE,)), shaped(memory(_PIECE), (_PIECE,))
+    stressed, worst = cells_x // 2, cells_x // 2  # cells with the largest of the strip before
     for strip in range(cells_y):
         pressure, q_x, q_y = fields.pressure[strip], fields.q_x[strip], fields.q_y[strip]
         most, best = 0.0, -math.inf
-        for first in range(0, cells_x, _PIECE):
-            count = min(cells_x - first, _PIECE)
-            for cell in range(count):
-                at = first + cell
-                square = q_x[at] * q_x[at] + q_y[at] * q_y[at]
-                squares[cell] = square
-                indices[cell] = (math.sqrt(square) - shear_yield) / pressure[at]  # (3.17)
-            for cell in range(count, _PIECE):
-                squares[cell], indices[cell] = 0.0, -math.inf
-            for start in range(_LANES, _PIECE, _LANES):
-                for lane in range(_LANES):
-                    other = start + lane
-                    squares[lane] = squares[other] if squares[other] > squares[lane] else squares[lane]
-                    indices[lane] = indices[other] if indices[other] > indices[lane] else indices[lane]
-            for lane in range(_LANES):
-                most, best = max(most, squares[lane]), max(best, indices[lane])
+        for cell in range(max(stressed - 1, 0), min(stressed + 2, cells_x)):
+            square = q_x[cell] * q_x[cell] + q_y[cell] * q_y[cell]
+            if square > most:
+                most, stressed = square, cell
+        for cell in range(max(worst - 1, 0), min(worst + 2, cells_x)):
+            square = q_x[cell] * q_x[cell] + q_y[cell] * q_y[cell]
+            index = (math.sqrt(square) - shear_yield) / pressure[cell]  # (3.17)
+            if index > best and pressure[cell] > 0.0:
+                best, worst = index, cell
+        # Neighbouring strips are alike: mostly no other cell has more, which a sum of comparisons tells fast.
+        # (|q| - k)/p > best without root and division: needed may be below zero, then every |q| is more
+        more = 0
+        for cell in range(cells_x):
+            square = q_x[cell] * q_x[cell] + q_y[cell] * q_y[cell]
+            needed = shear_yield + best * pressure[cell]
+            more += 1 if square > most else 0
+            more += 1 if square > _ROUNDED_UP * needed * abs(needed) else 0
+        if more > 0:
+            for cell in range(cells_x):
+                square = q_x[cell] * q_x[cell] + q_y[cell] * q_y[cell]
+                if square > most:
+                    most, stressed = square, cell
+                needed = shear_yield + best * pressure[cell]
+                if pressure[cell] > 0.0 and square > needed * abs(needed):
+                    best, worst = (math.sqrt(square) - shear_yield) / pressure[cell], cell  # (3.17)
         stress_index[strip] = math.sqrt(most) - shear_yield  # (3.21)
         fatigue_index[strip] = best
 

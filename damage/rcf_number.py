@@ -80,8 +80,11 @@ def _judge_strip(
     shear_yield: float,
     limits: BurstowLimits,
     work: CountWork,
-) -> None:
-    """Count, corrected count and energy of the cells of a strip at y/b = lateral, from a column on."""
+) -> int:
+    """Count, corrected count and energy of the cells of a strip at y/b = lateral, from a column on.
+
+    Returns the number of cells that count.
+    """
     rigid_x, rigid_y = patch.nu_x - patch.phi * patch.b * lateral, patch.nu_y
     turn = patch.phi * half_length
     q_x, q_y, slip_x, slip_y = (
@@ -93,27 +96,35 @@ def _judge_strip(
     counted, corrected = work.cells[column + COUNTED], work.cells[column + CORRECTED]
     lost = work.cells[column + ENERGY]
     square_of_yield = shear_yield * shear_yield
-    for i in range(work.along.size):  # no branch, no sum: the compiler makes vectors of it
+    hits = 0
+    for i in range(work.along.size):  # no branch, no sum of floats: the compiler makes vectors of it
         energy = -(q_x[i] * rigid_x + q_y[i] * (rigid_y + turn * work.along[i]))  # (3.34)
         count = 1.0 if q_x[i] * q_x[i] + q_y[i] * q_y[i] > square_of_yield else 0.0  # (3.21)
         left = remaining(energy, limits)
         slips = slip_x[i] * slip_x[i] + slip_y[i] * slip_y[i] > 0.0
+        hits += 1 if count > 0.0 else 0
         counted[i] = count
         corrected[i] = count * (left if slips else 1.0)
         lost[i] = energy
+    return hits
 
 
 @kernel
-def _bin_pair(pair: int, half_length: float, bins: Bins, work: CountWork) -> None:
-    """Sum the cells of two strips of the same length over each bin along them."""
+def _bin_pair(pair: int, counts: bool, half_length: float, bins: Bins, work: CountWork) -> None:
+    """Sum the cells of two strips of the same length over each bin along them; `counts`: if any counts."""
     cells, sums, result = work.cells, work.sums, work.bins[pair]
     cells_x = work.along.size
     c0, c1, e, m0, m1, me = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    for i in range(cells_x):  # six sums side by side: each waits for itself only
+    for i in range(cells_x if counts else 0):  # six sums side by side: each waits for itself only
         c0, c1, e = c0 + cells[0, i], c1 + cells[1, i], e + cells[2, i]
         m0, m1, me = m0 + cells[3, i], m1 + cells[4, i], me + cells[5, i]
         sums[i + 1, 0], sums[i + 1, 1], sums[i + 1, 2] = c0, c1, e
         sums[i + 1, 3], sums[i + 1, 4], sums[i + 1, 5] = m0, m1, me
+    if not counts:
+        sums[:] = 0.0
+        for i in range(cells_x):
+            e, me = e + cells[2, i], me + cells[5, i]
+            sums[i + 1, 2], sums[i + 1, 5] = e, me
     first = max(math.floor((-half_length - bins.along_start) / bins.along_step), 0)
     end = min(math.floor((half_length - bins.along_start) / bins.along_step) + 1, result.shape[1])
     work.touched[pair, 0], work.touched[pair, 1] = first, end
@@ -179,9 +190,9 @@ def count_patch(
         lateral = -1.0 + (2 * pair + 1) / cells_y
         cosine = math.sqrt(1.0 - lateral * lateral)
         half_length = patch.a * cosine
-        _judge_strip(pair, 0, patch, lateral, half_length, fields, shear_yield, limits, work)
-        _judge_strip(mirror, COUNTS, patch, -lateral, half_length, fields, shear_yield, limits, work)
-        _bin_pair(pair, half_length, bins, work)
+        hits = _judge_strip(pair, 0, patch, lateral, half_length, fields, shear_yield, limits, work)
+        hits += _judge_strip(mirror, COUNTS, patch, -lateral, half_length, fields, shear_yield, limits, work)
+        _bin_pair(pair, hits > 0, half_length, bins, work)
         total += cosine * work.sums[cells_x, ENERGY]
         if mirror != pair:  # the middle one of an odd number is its own mirror image
             total += cosine * work.sums[cells_x, COUNTS + ENERGY]

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from damage.crack import DIRKS, KABO, CrackShape, LifeRelation, MinerSum, fitted_relation, miner_sum
+from damage.lateral_grid import LateralGrid
 from damage.material import ER7
 from damage.rcf_local import LocalFatigue, local_indices
-from damage.wheel_surface import LateralGrid
 
 GRID = LateralGrid(-0.02, 1e-3, 40)
 
