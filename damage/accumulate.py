@@ -31,7 +31,7 @@ from damage.rcf_number import Bins
 from damage.wear.energy import wear_number
 from damage.wheel_surface import FLANGE, TREAD, Wheel, WheelSurface
 
-BLOCK_ROWS = 500  # rows of a block: some milliseconds of work; the sums depend on it in the last digits
+BLOCK_ROWS = 2500  # rows of a block: some 50 ms of work; the sums depend on it in the last digits
 
 
 def accumulate(

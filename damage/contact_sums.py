@@ -118,8 +118,8 @@ def add_states(states: States, solving: Solving, work: Work, sums: Sums) -> None
         strip_indices(work.fields, solving.shear_yield, work.stress_index, work.fatigue_index)
         across = -states.side[row] * stretch
         count_patch(
-            patch, work.fields, solving.shear_yield, solving.limits, position, across, revolutions,
-            solving.bins, work.counting,
+            patch, work.fields, work.stress_index, solving.shear_yield, solving.limits, position, across,
+            revolutions, solving.bins, work.counting,
             Counts(sums.rcf_number[part], sums.corrected_rcf_number[part], sums.energy[part]),
         )  # fmt: skip
         _add_strips(b, stretch, position, across, revolutions, rolled, start, step, part, work, sums)

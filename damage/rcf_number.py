@@ -80,11 +80,8 @@ def _judge_strip(
     shear_yield: float,
     limits: BurstowLimits,
     work: CountWork,
-) -> int:
-    """Count, corrected count and energy of the cells of a strip at y/b = lateral, from a column on.
-
-    Returns the number of cells that count.
-    """
+) -> None:
+    """Count, corrected count and energy of the cells of a strip at y/b = lateral, from a column on."""
     rigid_x, rigid_y = patch.nu_x - patch.phi * patch.b * lateral, patch.nu_y
     turn = patch.phi * half_length
     q_x, q_y, slip_x, slip_y = (
@@ -96,35 +93,33 @@ def _judge_strip(
     counted, corrected = work.cells[column + COUNTED], work.cells[column + CORRECTED]
     lost = work.cells[column + ENERGY]
     square_of_yield = shear_yield * shear_yield
-    hits = 0
-    for i in range(work.along.size):  # no branch, no sum of floats: the compiler makes vectors of it
+    for i in range(work.along.size):  # no branch, no sum: the compiler makes vectors of it
         energy = -(q_x[i] * rigid_x + q_y[i] * (rigid_y + turn * work.along[i]))  # (3.34)
         count = 1.0 if q_x[i] * q_x[i] + q_y[i] * q_y[i] > square_of_yield else 0.0  # (3.21)
         left = remaining(energy, limits)
         slips = slip_x[i] * slip_x[i] + slip_y[i] * slip_y[i] > 0.0
-        hits += 1 if count > 0.0 else 0
         counted[i] = count
         corrected[i] = count * (left if slips else 1.0)
         lost[i] = energy
-    return hits
 
 
 @kernel
-def _bin_pair(pair: int, counts: bool, half_length: float, bins: Bins, work: CountWork) -> None:
-    """Sum the cells of two strips of the same length over each bin along them; `counts`: if any counts."""
+def _bin_pair(pair: int, counting: bool, half_length: float, bins: Bins, work: CountWork) -> None:
+    """Sum the cells of two strips of the same length over each bin along them.
+
+    `counting`: whether any cell counts; if not, there is nothing but energy to sum.
+    """
     cells, sums, result = work.cells, work.sums, work.bins[pair]
     cells_x = work.along.size
     c0, c1, e, m0, m1, me = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    for i in range(cells_x if counts else 0):  # six sums side by side: each waits for itself only
+    for i in range(cells_x if counting else 0):  # six sums side by side: each waits for itself only
         c0, c1, e = c0 + cells[0, i], c1 + cells[1, i], e + cells[2, i]
         m0, m1, me = m0 + cells[3, i], m1 + cells[4, i], me + cells[5, i]
         sums[i + 1, 0], sums[i + 1, 1], sums[i + 1, 2] = c0, c1, e
         sums[i + 1, 3], sums[i + 1, 4], sums[i + 1, 5] = m0, m1, me
-    if not counts:
-        sums[:] = 0.0
-        for i in range(cells_x):
-            e, me = e + cells[2, i], me + cells[5, i]
-            sums[i + 1, 2], sums[i + 1, 5] = e, me
+    for i in range(0 if counting else cells_x):
+        e, me = e + cells[2, i], me + cells[5, i]
+        sums[i + 1, 2], sums[i + 1, 5] = e, me
     first = max(math.floor((-half_length - bins.along_start) / bins.along_step), 0)
     end = min(math.floor((half_length - bins.along_start) / bins.along_step) + 1, result.shape[1])
     work.touched[pair, 0], work.touched[pair, 1] = first, end
@@ -135,21 +130,25 @@ def _bin_pair(pair: int, counts: bool, half_length: float, bins: Bins, work: Cou
         reach = min((edge + half_length) * per_length, float(cells_x))
         low = np.uint64(min(int(reach), cells_x - 1))
         high, part, here = low + np.uint64(1), reach - low, np.uint64(place)
-        n0 = sums[low, 0] + part * (sums[high, 0] - sums[low, 0])
-        n1 = sums[low, 1] + part * (sums[high, 1] - sums[low, 1])
         n2 = sums[low, 2] + part * (sums[high, 2] - sums[low, 2])
-        n3 = sums[low, 3] + part * (sums[high, 3] - sums[low, 3])
-        n4 = sums[low, 4] + part * (sums[high, 4] - sums[low, 4])
         n5 = sums[low, 5] + part * (sums[high, 5] - sums[low, 5])
-        result[0, here], result[1, here], result[2, here] = n0 - c0, n1 - c1, n2 - e
-        result[3, here], result[4, here], result[5, here] = n3 - m0, n4 - m1, n5 - me
-        c0, c1, e, m0, m1, me = n0, n1, n2, n3, n4, n5
+        result[2, here], result[5, here] = n2 - e, n5 - me
+        e, me = n2, n5
+        if counting:
+            n0 = sums[low, 0] + part * (sums[high, 0] - sums[low, 0])
+            n1 = sums[low, 1] + part * (sums[high, 1] - sums[low, 1])
+            n3 = sums[low, 3] + part * (sums[high, 3] - sums[low, 3])
+            n4 = sums[low, 4] + part * (sums[high, 4] - sums[low, 4])
+            result[0, here], result[1, here] = n0 - c0, n1 - c1
+            result[3, here], result[4, here] = n3 - m0, n4 - m1
+            c0, c1, m0, m1 = n0, n1, n3, n4
 
 
 @kernel
 def count_patch(
     patch: RollingPatch,
     fields: Fields,
+    stress_index: FloatArray,
     shear_yield: float,
     limits: BurstowLimits,
     position: float,
@@ -165,6 +164,8 @@ def count_patch(
     ----------
     patch, fields
         The patch and its stresses and slip.
+    stress_index
+        (ny,) largest stress index of every strip [Pa], see `damage.rcf_local`.
     shear_yield
         k [Pa].
     limits
@@ -190,9 +191,10 @@ def count_patch(
         lateral = -1.0 + (2 * pair + 1) / cells_y
         cosine = math.sqrt(1.0 - lateral * lateral)
         half_length = patch.a * cosine
-        hits = _judge_strip(pair, 0, patch, lateral, half_length, fields, shear_yield, limits, work)
-        hits += _judge_strip(mirror, COUNTS, patch, -lateral, half_length, fields, shear_yield, limits, work)
-        _bin_pair(pair, hits > 0, half_length, bins, work)
+        _judge_strip(pair, 0, patch, lateral, half_length, fields, shear_yield, limits, work)
+        _judge_strip(mirror, COUNTS, patch, -lateral, half_length, fields, shear_yield, limits, work)
+        counting = stress_index[pair] > 0.0 or stress_index[mirror] > 0.0
+        _bin_pair(pair, counting, half_length, bins, work)
         total += cosine * work.sums[cells_x, ENERGY]
         if mirror != pair:  # the middle one of an odd number is its own mirror image
             total += cosine * work.sums[cells_x, COUNTS + ENERGY]
@@ -215,6 +217,8 @@ def count_patch(
             rcf_number, left = counts.rcf_number[place], counts.corrected_rcf_number[place]
             lost = counts.energy[place]
             for x in range(first, end):
-                rcf_number[x] += weight * counted[x]
-                left[x] += weight * kept * corrected[x]
                 lost[x] += weight * energy[x]
+            if stress_index[strip] > 0.0:
+                for x in range(first, end):
+                    rcf_number[x] += weight * counted[x]
+                    left[x] += weight * kept * corrected[x]
