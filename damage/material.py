@@ -1,18 +1,60 @@
 """Wheel steels: the strength that damage is measured against, and the elastic constants.
 
-EN 13262 demands a least yield strength of 520 MPa (ER7), 540 MPa (ER8) and 580 MPa (ER9); the numbers are
-from memory of the standard [M] and agree with Hossein-Nia (2018), p. 72.
+The numbers of the grades stand with their sources in ``damage/data/materials.toml``: `material_parameters`.
 """
 
+import functools
 import math
+import tomllib
 from dataclasses import dataclass
+from importlib import resources
 
 from hh_exudyn.contact.material import STEEL, Material
+
+CRITERIA = {
+    "von_mises": (1.0 / math.sqrt(3.0), "yield strength / sqrt 3, after von Mises"),
+    "tresca": (0.5, "yield strength / 2, after Tresca"),
+}
+"""Yield criteria: shear yield strength over tensile yield strength, in numbers and in words.
+
+Table 3-2 of Hossein-Nia (2018) is reproduced by von Mises (ER7: 300 MPa), while equation 3.1 there is
+Tresca's (260 MPa).
+"""
+
+_GIVE = {  # what can be asked for, and what a material must be given for it
+    "yield_strength": "yield_strength [Pa]",
+    "tensile_strength": "tensile_strength [Pa]",
+    "hardness": "hardness [Pa]",
+    "shear_yield": "yield_strength or measured_shear_yield [Pa]",
+}
+_PASCAL = {"MPa": 1e6, "HB": 9.80665e6}  # Brinell hardness is in kgf/mm^2
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One number of a grade in the data file, with how it is known.
+
+    Attributes
+    ----------
+    value
+        In `unit`.
+    unit
+        Unit of the source.
+    confirmed
+        Whether the number was read on the source's own page; if not, it is from memory or second hand.
+    source
+        Begins with published, derived or assumed.
+    """
+
+    value: float
+    unit: str
+    confirmed: bool
+    source: str
 
 
 @dataclass(frozen=True)
 class WheelMaterial:
-    """A wheel steel.
+    """A wheel steel. Strengths that are not known are None: a model that needs them says so.
 
     Attributes
     ----------
@@ -22,31 +64,120 @@ class WheelMaterial:
         Tensile yield strength [Pa], > 0.
     elastic
         Elastic constants of wheel and rail.
+    tensile_strength
+        Ultimate tensile strength [Pa], at least the yield strength.
+    hardness
+        Hardness as a pressure [Pa]: the Brinell number times 9.80665 MPa.
+    criterion
+        How the shear yield strength follows from the yield strength, one of `CRITERIA`.
+    measured_shear_yield
+        Shear yield strength known by itself (torsion, cyclic tests) [Pa]; it goes before the criterion.
+
+    Raises
+    ------
+    ValueError
+        A strength that is not finite and above zero, a tensile strength below the yield strength, an unknown
+        criterion.
     """
 
     name: str
-    yield_strength: float
+    yield_strength: float | None = None
     elastic: Material = STEEL
+    tensile_strength: float | None = None
+    hardness: float | None = None
+    criterion: str = "von_mises"
+    measured_shear_yield: float | None = None
 
     def __post_init__(self) -> None:
-        if not (math.isfinite(self.yield_strength) and self.yield_strength > 0.0):
-            raise ValueError(f"yield_strength = {self.yield_strength} Pa must be finite and > 0 Pa")
+        for quantity in ("yield_strength", "tensile_strength", "hardness", "measured_shear_yield"):
+            value = getattr(self, quantity)
+            if value is not None and not (math.isfinite(value) and value > 0.0):
+                raise ValueError(f"{quantity} = {value} Pa must be finite and > 0 Pa")
+        if self.yield_strength and self.tensile_strength and self.tensile_strength < self.yield_strength:
+            raise ValueError(
+                f"tensile_strength = {self.tensile_strength} Pa must be at least the yield strength, "
+                f"{self.yield_strength} Pa"
+            )
+        if self.criterion not in CRITERIA:
+            raise ValueError(f"criterion = {self.criterion!r}; allowed: {', '.join(CRITERIA)}")
 
     @property
     def shear_yield(self) -> float:
-        """Yield strength in pure shear k = yield strength / sqrt 3 [Pa], by von Mises.
+        """Yield strength in pure shear k [Pa]; `shear_yield_derivation` says where it comes from.
 
-        ER7 has 300 MPa: the value that reproduces Table 3-2 of Hossein-Nia (2018). Tresca's criterion
-        (equation 3.1 there) would give 260 MPa, see `shear_yield_tresca`.
+        Raises ValueError where nothing is known that it could be derived from.
         """
-        return self.yield_strength / math.sqrt(3.0)
+        return self.require("shear_yield", "every index of rolling contact fatigue")
 
     @property
-    def shear_yield_tresca(self) -> float:
-        """Yield strength in pure shear k = yield strength / 2 [Pa], by Tresca."""
-        return 0.5 * self.yield_strength
+    def shear_yield_derivation(self) -> str:
+        """How the shear yield strength is known, in words."""
+        return "measured" if self.measured_shear_yield is not None else CRITERIA[self.criterion][1]
+
+    def require(self, quantity: str, model: str) -> float:
+        """A strength that a model cannot do without [Pa].
+
+        Parameters
+        ----------
+        quantity
+            "yield_strength", "tensile_strength", "hardness" or "shear_yield".
+        model
+            What needs it, for the message: "Archard's law".
+
+        Raises
+        ------
+        ValueError
+            The material does not have it (names material, quantity and model), or there is no such quantity.
+        """
+        if quantity not in _GIVE:
+            raise ValueError(f"a wheel material has no {quantity!r}; it may have: {', '.join(_GIVE)}")
+        value: float | None
+        if quantity == "shear_yield":
+            value = self.measured_shear_yield
+            if value is None and self.yield_strength is not None:
+                value = CRITERIA[self.criterion][0] * self.yield_strength
+        else:
+            value = getattr(self, quantity)
+        if value is None:
+            raise ValueError(
+                f"material {self.name!r} has no {quantity}, which {model} needs: give it {_GIVE[quantity]}"
+            )
+        return value
 
 
-ER7 = WheelMaterial("ER7", 520e6)
-ER8 = WheelMaterial("ER8", 540e6)
-ER9 = WheelMaterial("ER9", 580e6)
+@functools.cache
+def _grades() -> dict[str, dict[str, Parameter]]:
+    """The data file, checked."""
+    text = resources.files("damage").joinpath("data/materials.toml").read_text(encoding="utf-8")
+    grades = {
+        grade: {quantity: Parameter(**entry) for quantity, entry in entries.items()}
+        for grade, entries in tomllib.loads(text).items()
+    }
+    for grade, entries in grades.items():
+        for quantity, parameter in entries.items():
+            if parameter.source.split(":", 1)[0] not in ("published", "derived", "assumed"):
+                raise ValueError(f"materials.toml: {grade}.{quantity} does not say how it is known")
+    return grades
+
+
+def material_parameters(name: str) -> dict[str, Parameter]:
+    """Numbers of a grade with their sources. Raises ValueError for an unknown one (lists the known)."""
+    if name not in _grades():
+        raise ValueError(f"wheel material {name!r} is not known; known: {', '.join(_grades())}")
+    return dict(_grades()[name])
+
+
+def wheel_material(name: str) -> WheelMaterial:
+    """The grade of that name. Raises ValueError for an unknown one (lists the known)."""
+    numbers = {quantity: x.value * _PASCAL[x.unit] for quantity, x in material_parameters(name).items()}
+    return WheelMaterial(
+        name,
+        numbers.get("yield_strength"),
+        tensile_strength=numbers.get("tensile_strength"),
+        hardness=numbers.get("hardness"),
+    )
+
+
+ER7 = wheel_material("ER7")
+ER8 = wheel_material("ER8")
+ER9 = wheel_material("ER9")

@@ -1,21 +1,37 @@
 """From a run to the damage of its wheels, one row per wheel: `assess`."""
 
-import math
 import time
 from dataclasses import dataclass
 
 import numpy as np
 import pyarrow
+from numpy.typing import NDArray
 
 from damage.accumulate import accumulate
-from damage.contact_states import ContactSource
+from damage.bad_rows import BadRows
+from damage.burstow import Burstow
+from damage.contact_source import ContactSource
+from damage.lateral_grid import LateralGrid, PatchGrid
 from damage.material import ER7, WheelMaterial
+from damage.model import DamageModel
 from damage.rcf import FLANGE_ANGLE
-from damage.wear import REGIMES, JendelMap
-from damage.wheel_surface import FLANGE, TREAD, LateralGrid, WheelSurface
+from damage.wear.archard import archard
+from damage.wear.law import WearLaw
+from damage.wheel_surface import DEFAULT_PATCH_GRID, FLANGE, TREAD, WheelSurface
+from hh_exudyn.contact.profile import Profile
 
-DEFAULT_GRID = LateralGrid()
-DRY = JendelMap()
+DRY_ARCHARD = archard()
+
+
+def _of_parts(surface: WheelSurface, burstow: bool) -> dict[str, NDArray[np.float64]]:
+    """The largest RCF numbers and crack damage of every wheel, (W,): on the tread, on the flange."""
+    table = {}
+    for part, prefix in ((TREAD, ""), (FLANGE, "flange_")):
+        table[f"{prefix}rcf_number"] = surface.rcf_number[:, part].max(axis=(1, 2))
+        if burstow:
+            table[f"{prefix}corrected_rcf_number"] = surface.corrected_rcf_number[:, part].max(axis=(1, 2))
+        table[f"{prefix}crack_damage"] = surface.crack_damage[:, part].max(axis=1)
+    return table
 
 
 @dataclass(frozen=True)
@@ -26,105 +42,155 @@ class DamageReport:
     ----------
     surface
         Sums over the contact states on the wheel profiles.
-    material
-        The wheel steel.
-    wear_map
-        The wear coefficients.
-    theory
-        Name of the tangential theory that the patches were solved with.
-    cells
-        Cells of a patch along and across.
-    flange_angle
-        Contact angle above which a contact counts as flange contact [rad].
+    model
+        Steel, wear law, theory, grids and thresholds.
+    bad_rows
+        Rows of the log that were left out.
     seconds_per_state
         Wall time per contact state [s], of this machine.
     """
 
     surface: WheelSurface
-    material: WheelMaterial
-    wear_map: JendelMap
-    theory: str
-    cells: tuple[int, int]
-    flange_angle: float
+    model: DamageModel
+    bad_rows: BadRows
     seconds_per_state: float
 
     def to_table(self) -> pyarrow.Table:
         """One row per wheel, for people: units are in the names of the columns.
 
-        ``fatigue_share`` and ``fatigue_area_index`` are of the tread; ``flange_fatigue_share`` is the share
-        of the flange contacts alone. ``wear_y_mm`` is where on the profile the wear is deepest (positive
-        towards the flange). ``seizure_share`` is the part of the worn volume from pressures above the
-        seizure limit of the wear map, whose coefficients are the least certain.
+        Fatigue without "flange" in its name is of the tread. ``wear_y_mm`` is where on the profile the
+        wear is deepest (lateral coordinate, positive towards the flange). ``wear_<regime>_share`` is the part
+        of the worn volume in each regime of the wear law; of Archard's, "seizure" has the least certain
+        coefficients. The RCF numbers are those of the place of patch and profile with the largest (the
+        corrected one is missing without Burstow's thresholds), and the crack damage is Miner's sum in the bin
+        with the largest.
         """
         surface = self.surface
         wheels = np.array(surface.wheels, dtype=np.int32).reshape(-1, 4)
         depth = surface.depth_per_km
         volume = surface.worn_volume.sum(axis=1)
-        seizure = surface.worn_volume[:, REGIMES.index("seizure")]
-        return pyarrow.table(
-            {
-                "vehicle": wheels[:, 0],
-                "bogie": wheels[:, 1],
-                "wheelset": wheels[:, 2],
-                "side": wheels[:, 3],
-                "p_max_MPa": surface.max_pressure * 1e-6,
-                "wear_number_N": surface.mean_wear_number,
-                "fatigue_share": surface.fatigue_share[:, TREAD],
-                "fatigue_area_index": surface.fatigue_area_index[:, TREAD],
-                "flange_fatigue_share": surface.fatigue_share[:, FLANGE],
-                "wear_depth_mm_per_1000_km": depth.max(axis=1) * 1e6,
-                "wear_y_mm": surface.grid.centres[depth.argmax(axis=1)] * 1e3,
-                "worn_area_mm2_per_km": surface.worn_area_per_km * 1e6,
-                "seizure_share": np.divide(seizure, volume, out=np.zeros_like(volume), where=volume > 0.0),
-                "flange_share": surface.flange_share,
-            }
-        )
+        table: dict[str, NDArray[np.generic]] = {
+            "vehicle": wheels[:, 0],
+            "bogie": wheels[:, 1],
+            "wheelset": wheels[:, 2],
+            "side": wheels[:, 3],
+            "p_max_MPa": surface.max_pressure * 1e-6,
+            "wear_number_N": surface.mean_wear_number,
+            "fatigue_share": surface.fatigue_share[:, TREAD],
+            "fatigue_area_index": surface.fatigue_area_index[:, TREAD],
+            "flange_fatigue_share": surface.fatigue_share[:, FLANGE],
+            "flange_share": surface.flange_share,
+            "wear_depth_mm_per_1000_km": depth.max(axis=1) * 1e6,
+            "wear_y_mm": surface.grid.lateral[depth.argmax(axis=1)] * 1e3,
+            "worn_area_mm2_per_km": surface.worn_area_per_km * 1e6,
+        }
+        for name, values in _of_parts(surface, self.model.burstow is not None).items():
+            table[f"{name}_per_km"] = values * 1e3 / surface.distance
+        for column, regime in enumerate(self.model.law.regimes):
+            name = f"wear_{'_'.join(regime.replace(',', '').split())}_share"
+            worn = surface.worn_volume[:, column]
+            table[name] = np.divide(worn, volume, out=np.zeros_like(volume), where=volume > 0.0)
+        return pyarrow.table(table)
+
+    def distance_table(self, distance: float) -> pyarrow.Table:
+        """What the wheels have after a distance of the same rolling, one row per wheel.
+
+        Parameters
+        ----------
+        distance
+            Rolled in all [m], > 0.
+
+        Raises
+        ------
+        ValueError
+            The distance is not finite and above zero.
+        """
+        if not distance > 0.0:
+            raise ValueError(f"distance = {distance} m must be finite and > 0 m")
+        surface = self.surface.scaled(distance)
+        wheels = np.array(surface.wheels, dtype=np.int32).reshape(-1, 4)
+        table: dict[str, NDArray[np.generic]] = {
+            "vehicle": wheels[:, 0],
+            "wheelset": wheels[:, 2],
+            "side": wheels[:, 3],
+            "distance_km": np.full(len(wheels), distance * 1e-3),
+            "wear_depth_mm": surface.depth.max(axis=1) * 1e3,
+            "worn_area_mm2": surface.worn_area.sum(axis=1) * 1e6,
+        }
+        return pyarrow.table(table | _of_parts(surface, self.model.burstow is not None))
 
 
 def assess(
-    run_or_table: ContactSource,
+    source: ContactSource,
     material: WheelMaterial = ER7,
     theory: str = "fastrip",
     cells: tuple[int, int] = (50, 50),
-    wear_map: JendelMap = DRY,
+    law: WearLaw = DRY_ARCHARD,
     flange_angle: float = FLANGE_ANGLE,
-    grid: LateralGrid = DEFAULT_GRID,
+    grid: LateralGrid | None = None,
+    patch_grid: PatchGrid = DEFAULT_PATCH_GRID,
+    profile: Profile | None = None,
+    burstow: Burstow | None = None,
+    skip_bad_rows: bool = False,
     threads: int | None = None,
 ) -> DamageReport:
     """Wear and rolling contact fatigue of all wheels of a run.
 
-    Every contact state is solved again on a fine grid for its pressure and slip field.
+    Every contact state is solved again on a fine grid for its stresses and slip.
 
     Parameters
     ----------
-    run_or_table
-        A run, its directory, or its contact log as a table.
+    source
+        A run, its directory, Parquet files, a table, or arrays: `damage.contact_source.ContactSource`.
     material
         The wheel steel.
     theory
-        Tangential theory, one of `hh_exudyn.contact.theories.FIELD_THEORIES`.
+        Tangential theory, one of `damage.patch_field.DAMAGE_THEORIES`.
     cells
         Cells of a patch along and across [-].
-    wear_map
-        The wear coefficients.
+    law
+        The wear law, see `damage.wear.laws.wear_law`.
     flange_angle
         Contact angle above which a contact counts as flange contact [rad], 0 to pi/2.
     grid
-        Bins over the wheel profile.
+        Bins across the wheel profile; None takes bins of 1 mm along the arc of `profile`, or over the lateral
+        coordinate where there is none.
+    patch_grid
+        Bins along the patch.
+    profile
+        The wheel profile; one that differs between the wheels is not meant.
+    burstow
+        Thresholds of Burstow's correction; None takes those of the material, and corrects nothing if that
+        lacks a strength they are made of.
+    skip_bad_rows
+        Leave out rows with NaN, values out of range or forces above friction, and report them.
     threads
         States that are solved at once; None takes the processors that this process may use. It has no
         influence on the result.
 
     Raises
     ------
+    FileNotFoundError
+        There is no such run or file.
     ValueError
-        Unknown theory, bad values in the log, patches beyond the grid, or a run that does not move.
+        Unknown theory, missing columns, bad rows, patches beyond the grid, both a grid and a profile, or a
+        run that does not move.
     """
-    if not 0.0 < flange_angle < 0.5 * math.pi:
-        raise ValueError(f"flange_angle = {flange_angle} rad must lie within 0..pi/2 rad")
+    if grid is not None and profile is not None:
+        raise ValueError(
+            "both a grid and a profile were given; LateralGrid.along(profile) is the grid of one"
+        )
+    if grid is None:
+        grid = LateralGrid() if profile is None else LateralGrid.along(profile)
+    if burstow is None and material.yield_strength and material.tensile_strength:
+        burstow = Burstow.of(material)
+    model = DamageModel(material, law, theory, cells, flange_angle, grid, patch_grid, burstow)
+    bad_rows = BadRows()
     start = time.perf_counter()
-    surface = accumulate(run_or_table, material, theory, cells, wear_map, flange_angle, grid, threads=threads)
+    surface = accumulate(source, model, threads=threads, bad_rows=bad_rows if skip_bad_rows else None)
     wall = time.perf_counter() - start
+    if surface.rows == 0:
+        raise ValueError(f"the contact log has no good rows: {bad_rows}")
     if surface.distance <= 0.0:
         raise ValueError("the run does not move: wear per distance has no meaning")
-    return DamageReport(surface, material, wear_map, theory, cells, flange_angle, wall / surface.rows)
+    return DamageReport(surface, model, bad_rows, wall / surface.rows)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from damage.contact_states import contact_chunks
 from damage.material import ER7
 from damage.rcf import surface_fatigue_index
-from damage.wear import wear_number
+from damage.wear.energy import wear_number
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.log.store import Run
 

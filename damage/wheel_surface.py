@@ -1,7 +1,10 @@
 """What happened to the wheel surfaces: sums over contact states on a grid fixed to the wheel profile.
 
 All sums are additive: the surface of a log is the sum of the surfaces of its pieces, however it is cut, and
-the surface of a set of runs is the sum over the runs.
+the surface of a set of runs is the sum over the runs. A load collective is a weighted sum, and a distance is
+a factor, as all of them count revolutions of the wheel:
+
+    0.3 * curve.scaled(50e6) + 0.7 * straight.scaled(50e6)
 """
 
 import math
@@ -11,10 +14,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from damage.wear import MAP_REGIMES
-from hh_exudyn.contact.types import FloatArray
-from hh_exudyn.kernel import kernel
+from damage.lateral_grid import LateralGrid, PatchGrid
+from damage.wear.values import REGIMES
 
+DEFAULT_PATCH_GRID = PatchGrid()
 TREAD, FLANGE = 0, 1  # columns of the arrays that tell contact on the tread from contact on the flange
 
 
@@ -28,70 +31,17 @@ class Wheel(NamedTuple):
 
 
 @dataclass(frozen=True)
-class LateralGrid:
-    """Bins of equal width over the lateral coordinate of a wheel profile (side coordinates).
-
-    The default spans from the flange back (+70 mm) to 70 mm on the field side in bins of 1 mm.
-
-    Attributes
-    ----------
-    start
-        Edge of the first bin, on the field side [m].
-    step
-        Width of a bin [m].
-    count
-        Number of bins.
-    """
-
-    start: float = -0.070
-    step: float = 0.001
-    count: int = 140
-
-    def __post_init__(self) -> None:
-        if not (math.isfinite(self.start) and math.isfinite(self.step) and self.step > 0.0):
-            raise ValueError(f"grid with start = {self.start} m and step = {self.step} m: step must be > 0 m")
-        if self.count < 1:
-            raise ValueError(f"count = {self.count} bins must be at least 1")
-
-    @property
-    def edges(self) -> NDArray[np.float64]:
-        """(count + 1,) edges of the bins [m]."""
-        edges: NDArray[np.float64] = self.start + self.step * np.arange(self.count + 1, dtype=np.float64)
-        return edges
-
-    @property
-    def centres(self) -> NDArray[np.float64]:
-        """(count,) middles of the bins [m]."""
-        centres: NDArray[np.float64] = self.start + self.step * (
-            np.arange(self.count, dtype=np.float64) + 0.5
-        )
-        return centres
-
-
-@kernel
-def spread(centre: float, width: float, value: float, start: float, step: float, bins: FloatArray) -> None:
-    """Distribute a strip over the bins: each gets the value times the share of the bin that is covered.
-
-    The sum of bins times step grows by value times width. The strip must lie on the grid.
-    """
-    low = (centre - 0.5 * width - start) / step
-    high = (centre + 0.5 * width - start) / step
-    first = max(math.floor(low), 0)
-    last = min(math.floor(high), bins.size - 1)
-    for index in range(first, last + 1):
-        covered = min(high, index + 1.0) - max(low, float(index))
-        if covered > 0.0:
-            bins[index] += value * covered
-
-
-@dataclass(frozen=True)
 class WheelSurface:
-    """Sums over the contact states of a run; W wheels, B bins of the lateral grid.
+    """Sums over the contact states of a run; W wheels, B bins across the profile, X bins along the patch.
+
+    A bin that is covered in part gets that part. Where there is a dimension of 2, tread and flange are apart.
 
     Attributes
     ----------
     grid
-        The bins.
+        The bins across the profile.
+    patch_grid
+        The bins along the patch.
     wheels
         The W wheels, sorted.
     rows
@@ -105,12 +55,26 @@ class WheelSurface:
     worn_area
         (W, B) worn area of the cross-section [m^2].
     worn_volume
-        (W, 4) worn volume by region of Jendel's map, see `damage.wear.REGIMES` [m^3].
+        (W, 4) worn volume by regime of the wear law [m^3].
     contact_time
         (W, 2, B) time that the bin was in contact, on the tread and on the flange [s]; where two patches of
         a wheel overlap, both count.
     fatigue_time
-        (W, 2, B) time that the bin lay in a patch with a fatigue index above zero [s].
+        (W, 2, B) time that the bin lay in a patch with a fatigue index FI_surf above zero [s].
+    contact_revolutions
+        (W, 2, B) revolutions in which the bin was in contact [-].
+    fatigue_revolutions
+        (W, 2, B) revolutions in which the bin lay in a patch with FI_surf above zero [-].
+    ratchet_revolutions
+        (W, 2, B) revolutions in which a cell of the patch in that bin had a stress index SI above zero [-].
+    crack_damage
+        (W, 2, B) Miner's sum of FI_local^4 / 10.04, failure at 1 (Kabo; `damage.miner`) [-].
+    rcf_number
+        (W, 2, B, X) revolutions in which the place had SI above zero [-], see `damage.rcf_number`.
+    corrected_rcf_number
+        (W, 2, B, X) the same with Burstow's correction [-].
+    energy
+        (W, 2, B, X) sum over the revolutions of the energy lost per metre rolled and area [Pa].
     patch_time
         (W, 2) sum of the patches' times in contact [s].
     positive_time
@@ -126,6 +90,7 @@ class WheelSurface:
     """
 
     grid: LateralGrid
+    patch_grid: PatchGrid
     wheels: tuple[Wheel, ...]
     rows: int
     time: float
@@ -135,6 +100,13 @@ class WheelSurface:
     worn_volume: NDArray[np.float64]
     contact_time: NDArray[np.float64]
     fatigue_time: NDArray[np.float64]
+    contact_revolutions: NDArray[np.float64]
+    fatigue_revolutions: NDArray[np.float64]
+    ratchet_revolutions: NDArray[np.float64]
+    crack_damage: NDArray[np.float64]
+    rcf_number: NDArray[np.float64]
+    corrected_rcf_number: NDArray[np.float64]
+    energy: NDArray[np.float64]
     patch_time: NDArray[np.float64]
     positive_time: NDArray[np.float64]
     index_area: NDArray[np.float64]
@@ -143,20 +115,30 @@ class WheelSurface:
     max_pressure: NDArray[np.float64]
 
     @classmethod
-    def zero(cls, wheels: tuple[Wheel, ...], grid: LateralGrid) -> "WheelSurface":
+    def zero(
+        cls, wheels: tuple[Wheel, ...], grid: LateralGrid, patch_grid: PatchGrid = DEFAULT_PATCH_GRID
+    ) -> "WheelSurface":
         """Surfaces that nothing has touched yet."""
-        count, bins = len(wheels), grid.count
+        count, bins, along = len(wheels), grid.count, patch_grid.count
         return cls(
             grid=grid,
+            patch_grid=patch_grid,
             wheels=wheels,
             rows=0,
             time=0.0,
             distance=0.0,
             depth=np.zeros((count, bins)),
             worn_area=np.zeros((count, bins)),
-            worn_volume=np.zeros((count, MAP_REGIMES)),
+            worn_volume=np.zeros((count, REGIMES)),
             contact_time=np.zeros((count, 2, bins)),
             fatigue_time=np.zeros((count, 2, bins)),
+            contact_revolutions=np.zeros((count, 2, bins)),
+            fatigue_revolutions=np.zeros((count, 2, bins)),
+            ratchet_revolutions=np.zeros((count, 2, bins)),
+            crack_damage=np.zeros((count, 2, bins)),
+            rcf_number=np.zeros((count, 2, bins, along)),
+            corrected_rcf_number=np.zeros((count, 2, bins, along)),
+            energy=np.zeros((count, 2, bins, along)),
             patch_time=np.zeros((count, 2)),
             positive_time=np.zeros((count, 2)),
             index_area=np.zeros((count, 2)),
@@ -175,8 +157,12 @@ class WheelSurface:
         """
         if self.grid != other.grid:
             raise ValueError(f"surfaces on different grids cannot be added: {self.grid} and {other.grid}")
+        if self.patch_grid != other.patch_grid:
+            raise ValueError(
+                f"surfaces on different grids cannot be added: {self.patch_grid} and {other.patch_grid}"
+            )
         wheels = tuple(sorted(set(self.wheels) | set(other.wheels)))
-        total = WheelSurface.zero(wheels, self.grid)
+        total = WheelSurface.zero(wheels, self.grid, self.patch_grid)
         for part in (self, other):
             place = [wheels.index(wheel) for wheel in part.wheels]
             for field in fields(self):
@@ -191,6 +177,50 @@ class WheelSurface:
             time=self.time + other.time,
             distance=self.distance + other.distance,
         )
+
+    def __rmul__(self, weight: float) -> "WheelSurface":
+        """All sums times a weight: its share in a load collective.
+
+        The number of states that were summed and the largest pressure stay what they are.
+
+        Raises
+        ------
+        ValueError
+            The weight is not finite, or below zero.
+        """
+        if not (math.isfinite(weight) and weight >= 0.0):
+            raise ValueError(f"weight = {weight} [-] of a surface must be finite and >= 0")
+        sums = {
+            field.name: weight * getattr(self, field.name)
+            for field in fields(self)
+            if field.name not in ("grid", "patch_grid", "wheels", "rows", "max_pressure")
+        }
+        return replace(self, **sums)
+
+    def scaled(self, distance: float) -> "WheelSurface":
+        """The surfaces after another distance of the same rolling: all sums by the ratio of revolutions.
+
+        Parameters
+        ----------
+        distance
+            Rolled in all [m], >= 0.
+
+        Raises
+        ------
+        ValueError
+            The distance is not finite, or below zero, or nothing has rolled yet.
+        """
+        if not (math.isfinite(distance) and distance >= 0.0):
+            raise ValueError(f"distance = {distance} m must be finite and >= 0 m")
+        if self.distance <= 0.0:
+            raise ValueError("surfaces that have not rolled cannot be scaled to a distance")
+        return (distance / self.distance) * self
+
+    @property
+    def energy_density(self) -> NDArray[np.float64]:
+        """(W, 2, B) energy lost per area of the wheel's surface [J/m^2]."""
+        density: NDArray[np.float64] = self.energy.sum(axis=3) * self.patch_grid.step
+        return density
 
     @property
     def depth_per_km(self) -> NDArray[np.float64]:

@@ -31,7 +31,8 @@ def outer(x):
 """,
     "vehicles/wedge.py": "STIFFNESS = 1.0",
     "track/ballast.py": "STIFFNESS = 1.0",
-    "damage/wear.py": "HARDNESS = 1.0",
+    "damage/rcf.py": "STRENGTH = 1.0",
+    "damage/wear/values.py": "HARDNESS = 1.0",
     "README.md": "words",
 }
 CALL = """
@@ -61,7 +62,7 @@ def run(root: Path, code: str, cache: Path, **environment: str) -> subprocess.Co
 @pytest.mark.parametrize(
     "name",
     ["hh_exudyn/kernel.py", "hh_exudyn/conventions.py", "hh_exudyn/contact/inner.py", "vehicles/wedge.py",
-     "track/ballast.py", "damage/wear.py"],
+     "track/ballast.py", "damage/rcf.py", "damage/wear/values.py"],
 )  # fmt: skip
 def test_hash_follows_every_kernel_source(project: Path, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(kernel, "_ROOT", project)

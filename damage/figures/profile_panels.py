@@ -44,9 +44,9 @@ def wear_figure(
         Side of the outer wheels of the curve (+1 left, -1 right), to name them; None for no such names.
     """
     figure, panels = _panels(report, vehicle, outer_side, "wear depth [mm per 1000 km]")
-    y = report.surface.grid.centres
+    y = report.surface.grid.lateral
     depths = {index: report.surface.depth_per_km[index] * 1e6 for index in panels}  # mm per 1000 km
-    root = _flange_root(profile, report.flange_angle)
+    root = _flange_root(profile, report.model.flange_angle)
     tread, flange = y < root, y >= root
     highest = {
         place: max(float(depth[where].max()) for depth in depths.values())
@@ -82,13 +82,13 @@ def fatigue_figure(
     """
     figure, panels = _panels(report, vehicle, outer_side, "share of time [%]")
     surface = report.surface
-    y = surface.grid.centres * 1e3
+    y = surface.grid.lateral * 1e3
     # where two patches of a wheel overlap, both have counted there; the wheel was in contact once
     contact = {
         index: np.minimum(100.0 * surface.contact_time[index].sum(axis=0) / surface.time, 100.0)
         for index in panels
     }
-    root = _flange_root(profile, report.flange_angle)
+    root = _flange_root(profile, report.model.flange_angle)
     _finish(panels, profile, root, max(float(share.max()) for share in contact.values()))
     for index, axes in panels.items():
         axes.fill_between(

@@ -1,15 +1,27 @@
-"""Surface fatigue index and shakedown limit against published and recomputed numbers."""
+"""Surface fatigue index against published and recomputed numbers."""
 
 from collections.abc import Callable
 
 import numpy as np
 import pyarrow
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from damage.material import ER7
-from damage.rcf import FLANGE_ANGLE, surface_fatigue_index
+from damage.rcf import (
+    fatigue_area_index,
+    fatigue_probability,
+    shortest_distance_index,
+    surface_fatigue_index,
+)
+from damage.rcf_subsurface import (
+    defect_fatigue_index,
+    defect_fatigue_limit,
+    subsurface_fatigue_index,
+)
 from damage.report import assess
-from damage.shakedown import point_contact_limit, working_point, working_points
+from damage.shakedown import point_contact_limit
 from damage.wheel_surface import FLANGE, TREAD
 
 
@@ -21,12 +33,6 @@ def test_table_3_2(a: float, b: float, load: float, utilised: float, published: 
     """Hossein-Nia (2018), Table 3-2, k = 300 MPa; Q/P was worked out to its three digits: within 5e-4."""
     index = surface_fatigue_index(0.6 * utilised * load, -0.8 * utilised * load, load, a, b, ER7.shear_yield)
     assert float(index) == pytest.approx(published, abs=5e-4)
-
-
-def test_shear_yield_of_er7() -> None:
-    """300 MPa after von Mises fits Table 3-2; Tresca's 260 MPa is equation 3.1 of the same thesis."""
-    assert ER7.shear_yield == pytest.approx(300e6, rel=1e-3)
-    assert ER7.shear_yield_tresca == pytest.approx(260e6)
 
 
 def test_index_is_the_distance_to_the_surface_limit() -> None:
@@ -46,54 +52,6 @@ def test_no_load_no_fatigue() -> None:
     assert surface_fatigue_index(0.0, 0.0, 0.0, 0.0, 0.0, 300e6) == -np.inf
     with pytest.raises(ValueError, match="normal_force must be >= 0 N; 2 values are not"):
         surface_fatigue_index(0.0, 0.0, np.array([1.0, -1.0, np.nan]), 1e-3, 1e-3, 300e6)
-
-
-def largest_orthogonal_shear(friction: float) -> float:
-    """Largest |tau_xz|/p0 below a circular patch in full slip: the point force solutions, integrated anew.
-
-    On a plain square grid of sources, by scanning x and z: another rule than the one behind the table.
-    """
-    count = 400
-    line = (np.arange(count) + 0.5) * 2.0 / count - 1.0
-    x_source, y_source = (array.ravel() for array in np.meshgrid(line, line))
-    inside = x_source**2 + y_source**2 < 1.0
-    x_source, y_source = x_source[inside], y_source[inside]
-    load = np.sqrt(1.0 - x_source**2 - y_source**2) * (2.0 / count) ** 2
-    largest = 0.0
-    for z in np.linspace(0.26, 0.36, 11):
-        for x in np.linspace(0.82, 0.87, 6):
-            way = x - x_source
-            distance = (way * way + y_source**2 + z * z) ** 2.5
-            shear = 1.5 / np.pi * np.sum(load * (way * z * z + friction * way * way * z) / distance)
-            largest = max(largest, abs(float(shear)))
-    return largest
-
-
-@pytest.mark.parametrize("friction", [0.0, 0.1, 0.2, 0.3])
-def test_subsurface_limit_is_the_orthogonal_shear_stress(friction: float) -> None:
-    expected = 1.0 / max(largest_orthogonal_shear(friction), friction)
-    assert float(point_contact_limit(friction)) == pytest.approx(expected, rel=1e-3)
-
-
-def test_published_ends_of_the_limit() -> None:
-    """4.7 at mu = 0, and 1/mu above about 0.3 (Hossein-Nia 2018, sections 3.1.3 and 3.1.4)."""
-    assert round(float(point_contact_limit(0.0)), 1) == 4.7
-    friction = np.linspace(0.31, 1.0, 30)
-    np.testing.assert_allclose(point_contact_limit(friction), 1.0 / friction)
-    whole = point_contact_limit(np.linspace(0.0, 1.0, 1001))
-    assert np.all(np.diff(whole) < 0.0)
-    with pytest.raises(ValueError, match="friction must be >= 0"):
-        point_contact_limit([-0.1, 0.2])
-
-
-def test_working_points(random_log: pyarrow.Table) -> None:
-    points = working_points(random_log, 300e6, FLANGE_ANGLE)
-    assert points.utilised_friction.size == random_log.num_rows
-    assert points.flange.sum() == np.count_nonzero(random_log["patch"].to_numpy() == 1)
-    assert np.all(points.utilised_friction <= 0.4 * (1.0 + 1e-9))  # Coulomb
-    utilised, pressure = working_point(3e3, 4e3, np.array([10e3, 0.0]), 900e6, 300e6)
-    np.testing.assert_allclose(utilised, [0.5, 0.0])
-    assert pressure == pytest.approx(3.0)
 
 
 def test_shares_of_tread_and_flange(make_log: Callable[..., pyarrow.Table]) -> None:
@@ -118,3 +76,105 @@ def test_shares_of_tread_and_flange(make_log: Callable[..., pyarrow.Table]) -> N
     np.testing.assert_allclose(
         surface.fatigue_time[0].sum(axis=1) * 1e-3, 2 * b * np.array([0.2 * np.cos(0.05), 0.1 * np.cos(1)])
     )
+
+
+def indices(utilised: object, pressure: object) -> tuple[np.ndarray, np.ndarray]:
+    """FI_surf and FI_ssurf of working points (Q/P, p0/k), through forces and axes that lead there."""
+    utilised, pressure = np.asarray(utilised, dtype=float), np.asarray(pressure, dtype=float)
+    a, b, k = 6e-3, 5e-3, 300e6
+    load = pressure * k * np.pi * a * b / 1.5
+    forces = (0.8 * utilised * load, -0.6 * utilised * load, load, a, b, k)
+    return surface_fatigue_index(*forces), shortest_distance_index(*forces)
+
+
+def test_shortest_distance_by_hand() -> None:
+    """From (t, 1/t) on the curve along its normal (1/t, t): the way gone is the distance.
+
+    (1/2, 2) with the normal (2, 1/2), 0.1 times: (0.7, 2.05) and (0.3, 1.95), both sqrt(4.25)/10 away.
+    (1/4, 4) with the normal (4, 1/4), 0.05 times: (0.45, 4.0125), sqrt(16.0625)/20 away.
+    """
+    _, shortest = indices([0.7, 0.3, 0.45], [2.05, 1.95, 4.0125])
+    expected = [np.sqrt(4.25) / 10.0, -np.sqrt(4.25) / 10.0, np.sqrt(16.0625) / 20.0]
+    np.testing.assert_allclose(shortest, expected, rtol=1e-12)
+    # on the line of symmetry the nearest point is (1, 1), and the origin is sqrt 2 from it
+    np.testing.assert_allclose(indices([0.9, 1e-9], [0.9, 1e-9])[1], [-0.1 * np.sqrt(2.0), -np.sqrt(2.0)])
+    # below the diagonal the coordinates change places
+    np.testing.assert_allclose(indices(2.05, 0.7)[1], np.sqrt(4.25) / 10.0, rtol=1e-12)
+    np.testing.assert_allclose(indices([0.25, 0.8], [4.0, 1.25])[1], 0.0, atol=1e-12)
+
+
+@given(st.floats(1e-3, 1.5), st.floats(1e-2, 12.0))
+def test_shortest_distance_is_the_shortest(utilised: float, pressure: float) -> None:
+    """Sign of FI_surf, never farther than the horizontal distance, and as near as any of many points."""
+    surface, shortest = (float(index) for index in indices(utilised, pressure))
+    assert abs(shortest) <= abs(surface) * (1.0 + 1e-9) + 1e-12
+    if abs(surface) > 1e-9:
+        assert np.sign(shortest) == np.sign(surface)
+    t = np.geomspace(1e-3, 1e2, 20001)
+    nearest = float(np.hypot(utilised - t, pressure - 1.0 / t).min())
+    assert abs(shortest) <= nearest + 1e-12
+    assert abs(shortest) == pytest.approx(nearest, abs=1e-2)
+
+
+def test_shortest_distance_without_load_and_without_axes() -> None:
+    given_ = shortest_distance_index(1.0, 0.0, np.array([0.0, 100e3]), 6e-3, 5e-3, 300e6)
+    assert given_[0] == -np.inf
+    assert np.isfinite(given_[1])
+    with pytest.raises(ValueError, match="semi-axes a and b must be > 0 m"):
+        shortest_distance_index(1.0, 0.0, 100e3, 0.0, 5e-3, 300e6)
+    with pytest.raises(ValueError, match=r"shear_yield = -1\.0 Pa"):
+        shortest_distance_index(1.0, 0.0, 100e3, 6e-3, 5e-3, -1.0)
+
+
+def test_area_and_probability_by_hand() -> None:
+    """FI 0.1 for 1 s, -0.2 for 2 s, 0.3 for 1 s, no contact for 4 s, at friction 0.5."""
+    index, interval = np.array([0.1, -0.2, 0.3, -np.inf]), np.array([1.0, 2.0, 1.0, 4.0])
+    assert fatigue_area_index(index, interval, 0.5) == pytest.approx(0.4 / 4.0)
+    assert fatigue_area_index(index, interval, 0.75) == pytest.approx(0.4 / 6.0)
+    assert fatigue_probability(index, interval) == pytest.approx(0.25)
+    assert fatigue_probability(index) == pytest.approx(0.5)
+    assert fatigue_probability([]) == 0.0
+    assert fatigue_area_index([], [], 0.4) == 0.0
+    # finer sampling of the same course changes nothing
+    twice = np.repeat(index, 2), np.repeat(0.5 * interval, 2)
+    assert fatigue_area_index(*twice, 0.5) == pytest.approx(0.1)
+    with pytest.raises(ValueError, match="index is NaN 1 times"):
+        fatigue_probability([0.1, np.nan])
+    with pytest.raises(ValueError, match="interval must be >= 0; 1 values are not"):
+        fatigue_area_index([0.1, 0.2], [0.1, -0.1], 0.4)
+
+
+def test_series_and_surface_agree(make_log: Callable[..., pyarrow.Table]) -> None:
+    """The sums of `WheelSurface` are those of the functions on the same course."""
+    generator = np.random.default_rng(2)
+    a, b, load, count = 6e-3, 5e-3, 120e3, 30
+    force = load * generator.uniform(0.1, 0.6, count)
+    log = make_log(time=0.1 * np.arange(count), force_x=force, a=a, b=b, normal_force=load, friction=0.6)
+    index = surface_fatigue_index(force, 0.0, load, a, b, ER7.shear_yield)
+    surface = assess(log, cells=(10, 10)).surface
+    assert surface.fatigue_share[0, TREAD] == pytest.approx(fatigue_probability(index))
+    assert surface.fatigue_area_index[0, TREAD] == pytest.approx(fatigue_area_index(index, 0.1, 0.6))
+    assert 0.0 < fatigue_probability(index) < 1.0
+
+
+def test_subsurface_index_is_a_sixth_of_the_pressure() -> None:
+    a, b, load = 6e-3, 5e-3, 120e3
+    p_max = 1.5 * load / (np.pi * a * b)
+    assert float(subsurface_fatigue_index(load, a, b, 0.0)) == pytest.approx(p_max / 6.0)
+    assert float(subsurface_fatigue_index(load, a, b, 0.5)) == pytest.approx(1.25 * p_max / 6.0)
+    compressed = subsurface_fatigue_index(load, a, b, 0.0, residual_stress=-60e6, hydrostatic_weight=0.5)
+    assert float(compressed) == pytest.approx(p_max / 6.0 - 30e6)
+    with pytest.raises(ValueError, match="hydrostatic_weight = None"):
+        subsurface_fatigue_index(load, a, b, 0.0, residual_stress=-60e6)
+    with pytest.raises(ValueError, match="semi-axes"):
+        subsurface_fatigue_index(load, 0.0, b, 0.0)
+
+
+def test_a_defect_64_times_larger_halves_the_limit() -> None:
+    limit = defect_fatigue_limit(200e6, np.array([1e-4, 1e-3, 64e-3]), 1e-3)
+    np.testing.assert_allclose(limit, [200e6, 200e6, 100e6])
+    np.testing.assert_allclose(defect_fatigue_index(150e6, 200e6, [1e-3, 64e-3], 1e-3), [-50e6, 50e6])
+    with pytest.raises(ValueError, match=r"reference_size = 0\.0 m"):
+        defect_fatigue_limit(200e6, 1e-3, 0.0)
+    with pytest.raises(ValueError, match="defect_size must be > 0 m; 1 values are not"):
+        defect_fatigue_limit(200e6, [1e-3, -1.0], 1e-3)

@@ -9,14 +9,15 @@ import pyarrow
 import pytest
 
 from damage.accumulate import accumulate
+from damage.burstow import Burstow
 from damage.contact_states import contact_chunks, output_clock
 from damage.figures.profile_panels import FLANGE_ROOT, fatigue_figure, wear_figure
 from damage.figures.working_points import shakedown_figure
+from damage.lateral_grid import LateralGrid
 from damage.material import ER7
-from damage.rcf import FLANGE_ANGLE
+from damage.model import DamageModel
 from damage.report import DamageReport, assess
-from damage.wear import JendelMap
-from damage.wheel_surface import LateralGrid, Wheel, WheelSurface
+from damage.wheel_surface import Wheel, WheelSurface
 from hh_exudyn.contact.profile import wheel_profile
 from hh_exudyn.log.store import Recorder, open_run
 
@@ -30,9 +31,10 @@ def report(random_log: pyarrow.Table) -> DamageReport:
 
 def equal(left: WheelSurface, right: WheelSurface) -> None:
     """Equal to round-off in every field."""
-    assert (left.grid, left.wheels, left.rows) == (right.grid, right.wheels, right.rows)
+    for name in ("grid", "patch_grid", "wheels", "rows"):
+        assert getattr(left, name) == getattr(right, name)
     for field in fields(left):
-        if field.name not in ("grid", "wheels", "rows"):
+        if field.name not in ("grid", "patch_grid", "wheels", "rows"):
             one, other = np.asarray(getattr(left, field.name)), np.asarray(getattr(right, field.name))
             np.testing.assert_allclose(
                 one, other, rtol=1e-11, atol=1e-13 * np.abs(one).max(), err_msg=field.name
@@ -48,17 +50,14 @@ def test_sum_over_any_cut_is_the_whole(
     total = WheelSurface.zero((), LateralGrid())
     for first, last in zip([0, *cuts], [*cuts, random_log.num_rows], strict=True):
         piece = random_log.slice(first, last - first)
-        total = total + accumulate(
-            piece, ER7, "fastrip", CELLS, JendelMap(), FLANGE_ANGLE, LateralGrid(), clock=clock
-        )
+        total = total + accumulate(piece, DamageModel(cells=CELLS, burstow=Burstow.of(ER7)), clock=clock)
     equal(report.surface, total)
 
 
 @pytest.mark.parametrize("rows", [1, 17])
 def test_chunks_do_not_matter(report: DamageReport, random_log: pyarrow.Table, rows: int) -> None:
-    surface = accumulate(
-        random_log, ER7, "fastrip", CELLS, JendelMap(), FLANGE_ANGLE, LateralGrid(), chunk_rows=rows
-    )
+    model = DamageModel(cells=CELLS, burstow=Burstow.of(ER7))
+    surface = accumulate(random_log, model, chunk_rows=rows)
     equal(report.surface, surface)
 
 
@@ -119,7 +118,8 @@ def test_nan_rows_are_counted_and_located(random_log: pyarrow.Table, chunk: int)
     bad = random_log.set_column(random_log.column_names.index("phi"), "phi", pyarrow.array(phi))
     bad = bad.set_column(bad.column_names.index("b"), "b", pyarrow.array(b))
     time = random_log["time"].to_numpy()[50]
-    with pytest.raises(ValueError, match=rf"4 of 186 rows hold NaN .*\(in b, phi\).* time = {time:g} s"):
+    wanted = rf"4 of 186 rows are bad, the first at time = {time:g}, .*b .*\(2 such.*phi .*\(3 such"
+    with pytest.raises(ValueError, match=wanted):
         list(contact_chunks(bad, rows=chunk))
     with pytest.raises(ValueError, match="4 of 186 rows"):
         assess(bad)
@@ -133,7 +133,8 @@ def test_nan_rows_are_counted_and_located(random_log: pyarrow.Table, chunk: int)
         ({"friction": 0.0}, r"friction = 0 - at"),
         ({"side": 0}, r"side = 0 - at .* must be \+1 \(left\) or -1 \(right\)"),
         ({"contact_angle": 1.6}, r"contact_angle = 1.6 rad"),
-        ({"y_wheel": 0.069}, r"from y_wheel = 64.00 to 74.00 mm .* beyond the grid, -70 to 70 mm"),
+        ({"y_wheel": 0.069}, r"from 64.00 to 74.00 mm across .* beyond the grid, -70 to 70 mm"),
+        ({"a": 0.021}, r"from -21.00 to 21.00 mm along the patch .* beyond the grid, -20 to 20 mm"),
         ({"speed": 0.0}, "does not move"),
     ],
 )

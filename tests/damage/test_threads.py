@@ -9,18 +9,17 @@ import pytest
 
 from damage import accumulate as module
 from damage.accumulate import accumulate, usable_processors
+from damage.burstow import Burstow
+from damage.contact_sums import Sums
 from damage.material import ER7
-from damage.rcf import FLANGE_ANGLE
+from damage.model import DamageModel
 from damage.report import assess
-from damage.wear import JendelMap
-from damage.wheel_surface import LateralGrid, WheelSurface
+from damage.wheel_surface import WheelSurface
 
 
 def surface(log: pyarrow.Table, threads: int | None, chunk_rows: int = 100) -> WheelSurface:
-    return accumulate(
-        log, ER7, "fastrip", (12, 12), JendelMap(), FLANGE_ANGLE, LateralGrid(), chunk_rows=chunk_rows,
-        threads=threads,
-    )  # fmt: skip
+    model = DamageModel(cells=(12, 12), burstow=Burstow.of(ER7))
+    return accumulate(log, model, chunk_rows=chunk_rows, threads=threads)
 
 
 @pytest.mark.parametrize("threads", [2, 3, 16, None])
@@ -39,7 +38,7 @@ def test_blocks_add_up_to_the_whole(random_log: pyarrow.Table, monkeypatch: pyte
     whole = surface(random_log, 1)
     monkeypatch.setattr(module, "BLOCK_ROWS", 1)
     pieces = surface(random_log, 1)
-    for name in module.Sums._fields:
+    for name in Sums._fields:
         one, other = getattr(whole, name), getattr(pieces, name)
         np.testing.assert_allclose(other, one, rtol=1e-11, atol=1e-13 * np.abs(one).max())
         assert one.any()

@@ -1,4 +1,4 @@
-"""Archard's law: closed forms, tendencies, and the energy that the slip field must carry."""
+"""Archard's law: closed forms, tendencies, and its map."""
 
 from collections.abc import Callable
 from itertools import pairwise
@@ -8,11 +8,11 @@ import pyarrow
 import pytest
 
 from damage.accumulate import accumulate
-from damage.material import ER7
-from damage.rcf import FLANGE_ANGLE
-from damage.wear import REGIMES, JendelMap, wear_coefficient, wear_number, wear_regime
-from damage.wheel_surface import LateralGrid, WheelSurface
-from hh_exudyn.contact.tangential import cell_areas, creep_force, traction_field
+from damage.lateral_grid import LateralGrid
+from damage.model import DamageModel
+from damage.wear.archard import archard
+from damage.wear.jendel import JENDEL_REGIMES, JendelMap, wear_coefficient, wear_regime
+from damage.wheel_surface import WheelSurface
 
 MakeLog = Callable[..., pyarrow.Table]
 DRY = JendelMap()
@@ -27,7 +27,9 @@ def wear(
     theory: str = "fastrip",
     grid: LateralGrid = LateralGrid(),  # noqa: B008 (frozen)
 ) -> WheelSurface:
-    return accumulate(table, ER7, theory, cells, wear_map, FLANGE_ANGLE, grid)
+    return accumulate(
+        table, DamageModel(law=archard(wear_map=wear_map), theory=theory, cells=cells, grid=grid)
+    )
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.3, -0.2])
@@ -41,7 +43,7 @@ def test_full_slip_is_archard_by_hand(make_log: MakeLog, angle: float) -> None:
     rate = DRY.mild_fast / DRY.hardness * 0.06  # |s| V = 0.9 m/s, p0 = 0.99 GPa < 0.8 H
     assert surface.distance == 15.0
     volume = surface.worn_volume[0] / surface.distance
-    assert volume[REGIMES.index("mild, fast")] == volume.sum()
+    assert volume[JENDEL_REGIMES.index("mild, fast")] == volume.sum()
     # measured: 0.03 % too much volume on 100 x 100 cells
     assert volume.sum() == pytest.approx(rate * LOAD, rel=1e-3)
     peak = rate * 0.5 * np.pi * A * 1.5 * LOAD / (np.pi * A * B) / (2.0 * np.pi * RADIUS)  # m per m rolled
@@ -123,30 +125,6 @@ def test_strips_lie_on_the_right_side_of_the_patch(make_log: MakeLog, side: int)
     surface = wear(make_log(nu_x=0.03, phi=-4.0, side=side, speed=1.0))  # one coefficient: |s| V < 0.2 m/s
     middle = np.average(surface.grid.centres, weights=surface.depth[0])
     assert side * middle < -0.1e-3
-
-
-@pytest.mark.parametrize(
-    "creepage",
-    [
-        *((1e-3, 0, 0), (0, 2e-3, 0), (1e-3, -2e-3, 0), (6e-2, 0, 0)),
-        *((1.5e-3, 1e-3, 0.1), (0, 0, 0.3), (1e-3, -3e-3, 2)),
-    ],
-)
-def test_slip_field_carries_the_energy(creepage: tuple[float, float, float]) -> None:
-    """Sum of q.s over the patch = F.nu + M phi: the elastic part does no net work in steady rolling."""
-    patch = (6e-3, 5e-3, 100e3, *creepage, 0.4)
-    field = traction_field("fastrip", *patch, cells=(50, 50))
-    force = creep_force("fastrip", *patch, cells=(50, 50))
-    cells = cell_areas(6e-3, 5e-3, 50, 50)
-    in_the_field = -float(np.sum((field.q_x * field.slip_x + field.q_y * field.slip_y) * cells))
-    assert in_the_field > 0.0
-    lost = float(wear_number(force.x, force.y, force.moment, *creepage))
-    assert in_the_field == pytest.approx(lost, rel=0.01)
-
-
-def test_wear_number_is_positive_for_dissipation(random_log: pyarrow.Table) -> None:
-    names = ("force_x", "force_y", "moment_z", "nu_x", "nu_y", "phi")
-    assert np.all(wear_number(*(random_log[name].to_numpy() for name in names)) > 0.0)
 
 
 @pytest.mark.parametrize(

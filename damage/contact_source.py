@@ -1,0 +1,88 @@
+"""Where contact states come from: a run, its directory, Parquet files, a table or arrays; read in batches."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TypeAlias
+
+import numpy as np
+import pyarrow
+import pyarrow.parquet
+from numpy.typing import ArrayLike
+
+from hh_exudyn.log.store import Run, open_run
+
+ContactSource: TypeAlias = Run | Path | str | pyarrow.Table | Mapping[str, ArrayLike]
+"""What damage takes as a contact log: a run or its directory; a Parquet file, or a folder that holds nothing
+but such files (in the order of their paths, at any depth); a table; or arrays by the name of their column."""
+
+PARQUET = ".parquet"
+
+
+def batches(source: ContactSource, columns: Sequence[str], rows: int) -> Iterator[pyarrow.RecordBatch]:
+    """The wanted columns of a contact log in record batches, in constant memory where it lies on disk.
+
+    Parameters
+    ----------
+    source
+        The contact log.
+    columns
+        Names of the wanted columns.
+    rows
+        Largest number of rows of a batch.
+
+    Raises
+    ------
+    FileNotFoundError
+        There is no such run or file.
+    ValueError
+        The log lacks columns, or arrays of different lengths were given.
+    """
+    if isinstance(source, Mapping):
+        source = _table(source)
+    if isinstance(source, pyarrow.Table):
+        _require("the contact log", source.column_names, columns)
+        return iter(source.select(list(columns)).to_batches(max_chunksize=rows))
+    if not isinstance(source, Run):
+        files = _parquet_files(Path(source))
+        if files:
+            return _file_batches(files, columns, rows)
+    run = source if isinstance(source, Run) else open_run(source)
+    return run.batches("contact", list(columns), rows)
+
+
+def _table(arrays: Mapping[str, ArrayLike]) -> pyarrow.Table:
+    """Arrays as a table, without a copy where that is possible."""
+    columns = {name: np.asarray(values) for name, values in arrays.items()}
+    lengths = {name: column.size for name, column in columns.items()}
+    if len(set(lengths.values())) > 1:
+        text = ", ".join(f"{name} {length}" for name, length in lengths.items())
+        raise ValueError(f"the arrays of a contact log must be equally long; they have {text} rows")
+    return pyarrow.table(columns)
+
+
+def _parquet_files(path: Path) -> list[Path]:
+    """The Parquet files that a path stands for; none where it may be a run's directory."""
+    if path.is_file():
+        return [path]
+    if not path.is_dir() or (path / "contact").is_dir() or (path / "case.toml").is_file():
+        return []
+    return sorted(file for file in path.rglob(f"*{PARQUET}") if file.is_file())
+
+
+def _file_batches(files: list[Path], columns: Sequence[str], rows: int) -> Iterator[pyarrow.RecordBatch]:
+    for path in files:
+        try:
+            file = pyarrow.parquet.ParquetFile(path)
+        except pyarrow.ArrowInvalid as error:
+            raise ValueError(f"{path} cannot be read as Parquet: {error}") from None
+        with file:
+            _require(str(path), file.schema_arrow.names, columns)
+            for group in range(file.num_row_groups):  # asked for all at once, it keeps what it has read
+                for batch in file.iter_batches(rows, row_groups=[group], columns=list(columns)):
+                    yield batch.select(list(columns))
+
+
+def _require(where: str, there: Sequence[str], wanted: Sequence[str]) -> None:
+    missing = [name for name in wanted if name not in there]
+    if missing:
+        raise ValueError(f"{where} has no column {', '.join(missing)}; damage needs {', '.join(wanted)}")

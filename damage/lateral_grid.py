@@ -1,0 +1,201 @@
+"""Bins fixed to the wheel profile: over its lateral coordinate, or over its arc where the profile is known.
+
+On the flange the lateral coordinate is a poor measure: a bin of 1 mm holds 2 mm of a surface at 60 degrees.
+So where the wheel profile is given, the bins lie along its arc, from 0 at the running circle, positive
+towards the flange; depth is normal to the surface either way.
+"""
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hh_exudyn.contact.profile import Profile
+from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.kernel import kernel
+
+_MARGIN = 0.010  # bins beyond the ends of a profile: an equivalent ellipse may hang over them [m]
+
+
+@dataclass(frozen=True, eq=False)
+class ProfileArc:
+    """Arc length over the lateral coordinate of a wheel profile.
+
+    Beyond the ends of the profile the arc goes on as the lateral coordinate does.
+
+    Attributes
+    ----------
+    y
+        (n,) lateral coordinate, increasing [m].
+    arc
+        (n,) arc length from the running circle y = 0, increasing [m].
+    """
+
+    y: FloatArray
+    arc: FloatArray
+
+    @classmethod
+    def of(cls, wheel: Profile) -> "ProfileArc":
+        """The arc of a wheel profile, along the chords of its points.
+
+        Raises
+        ------
+        ValueError
+            The profile is a rail's.
+        """
+        if wheel.kind != "wheel":
+            raise ValueError(f"profile {wheel.name!r} is a {wheel.kind}'s; damage needs a wheel's")
+        arc = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(wheel.y), np.diff(wheel.z)))])
+        arc -= np.interp(0.0, wheel.y, arc)
+        ends = _MARGIN * np.array([-1.0, 1.0])
+        y = np.concatenate([[wheel.y[0] + ends[0]], wheel.y, [wheel.y[-1] + ends[1]]])
+        return cls(y, np.concatenate([[arc[0] + ends[0]], arc, [arc[-1] + ends[1]]]))
+
+    def __eq__(self, other: object) -> bool:
+        """The same profile."""
+        if not isinstance(other, ProfileArc):
+            return NotImplemented
+        return np.array_equal(self.y, other.y) and np.array_equal(self.arc, other.arc)
+
+    def __hash__(self) -> int:
+        return hash((self.y.tobytes(), self.arc.tobytes()))
+
+
+@dataclass(frozen=True)
+class LateralGrid:
+    """Bins of equal width over a wheel profile, in the grid's coordinate.
+
+    The coordinate is the lateral one of the profile (side coordinates), or its arc length. The default spans
+    from the flange back (+70 mm) to 70 mm on the field side in bins of 1 mm.
+
+    Attributes
+    ----------
+    start
+        Edge of the first bin, on the field side [m].
+    step
+        Width of a bin [m].
+    count
+        Number of bins.
+    profile_arc
+        The profile along whose arc the bins lie; None for bins over the lateral coordinate.
+    """
+
+    start: float = -0.070
+    step: float = 0.001
+    count: int = 140
+    profile_arc: ProfileArc | None = field(default=None, repr=False)
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.start) and math.isfinite(self.step) and self.step > 0.0):
+            raise ValueError(f"grid with start = {self.start} m and step = {self.step} m: step must be > 0 m")
+        if self.count < 1:
+            raise ValueError(f"count = {self.count} bins must be at least 1")
+
+    @classmethod
+    def along(cls, wheel: Profile, step: float = 0.001) -> "LateralGrid":
+        """Bins over the whole arc of a wheel profile, one of their edges at the running circle.
+
+        Raises
+        ------
+        ValueError
+            The profile is a rail's, or the step is not above zero.
+        """
+        if not (math.isfinite(step) and step > 0.0):
+            raise ValueError(f"step = {step} m must be finite and > 0 m")
+        arc = ProfileArc.of(wheel)
+        first, last = math.floor(arc.arc[0] / step), math.ceil(arc.arc[-1] / step)
+        return cls(first * step, step, last - first, arc)
+
+    @property
+    def edges(self) -> NDArray[np.float64]:
+        """(count + 1,) edges of the bins in the grid's coordinate [m]."""
+        edges: NDArray[np.float64] = self.start + self.step * np.arange(self.count + 1, dtype=np.float64)
+        return edges
+
+    @property
+    def centres(self) -> NDArray[np.float64]:
+        """(count,) middles of the bins in the grid's coordinate [m]."""
+        centres: NDArray[np.float64] = self.start + self.step * (
+            np.arange(self.count, dtype=np.float64) + 0.5
+        )
+        return centres
+
+    @property
+    def lateral(self) -> NDArray[np.float64]:
+        """(count,) lateral coordinate of the middles of the bins [m]."""
+        if self.profile_arc is None:
+            return self.centres
+        lateral: NDArray[np.float64] = np.interp(self.centres, self.profile_arc.arc, self.profile_arc.y)
+        return lateral
+
+    def place(self, y: ArrayLike, contact_angle: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """Where a patch lies on the grid.
+
+        Parameters
+        ----------
+        y
+            (n,) lateral position of the contact on the profile [m].
+        contact_angle
+            (n,) [rad].
+
+        Returns
+        -------
+        position, stretch
+            (n,) the grid's coordinate of the contact [m], and what a length across the patch measures on the
+            grid [-]: cos(contact angle) in the lateral coordinate; 1 on the arc, which the contact plane
+            touches.
+        """
+        lateral, angle = np.asarray(y, dtype=np.float64), np.asarray(contact_angle, dtype=np.float64)
+        if self.profile_arc is None:
+            return lateral, np.cos(angle)
+        return np.interp(lateral, self.profile_arc.y, self.profile_arc.arc), np.ones_like(lateral)
+
+
+@dataclass(frozen=True)
+class PatchGrid:
+    """Bins of equal width along the rolling direction, fixed to the patch: 0 is its middle.
+
+    Attributes
+    ----------
+    start
+        Rear edge of the first bin [m].
+    step
+        Length of a bin [m].
+    count
+        Number of bins.
+    """
+
+    start: float = -0.020
+    step: float = 0.001
+    count: int = 40
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.start) and math.isfinite(self.step) and self.step > 0.0):
+            raise ValueError(
+                f"patch grid with start = {self.start} m and step = {self.step} m: step must be > 0 m"
+            )
+        if self.count < 1:
+            raise ValueError(f"count = {self.count} bins along the patch must be at least 1")
+
+    @property
+    def edges(self) -> NDArray[np.float64]:
+        """(count + 1,) edges of the bins [m]."""
+        edges: NDArray[np.float64] = self.start + self.step * np.arange(self.count + 1, dtype=np.float64)
+        return edges
+
+
+@kernel
+def spread(centre: float, width: float, value: float, start: float, step: float, bins: FloatArray) -> None:
+    """Distribute a strip over the bins: each gets the value times the share of the bin that is covered.
+
+    The sum of bins times step grows by value times width. The strip must lie on the grid.
+    """
+    low = (centre - 0.5 * width - start) / step
+    high = (centre + 0.5 * width - start) / step
+    first = max(math.floor(low), 0)
+    last = min(math.floor(high), bins.size - 1)
+    for index in range(first, last + 1):
+        covered = min(high, index + 1.0) - max(low, float(index))
+        if covered > 0.0:
+            bins[index] += value * covered

@@ -1,0 +1,65 @@
+"""With what damage is computed: steel, wear law, theory, grids and thresholds, in one value."""
+
+import math
+from dataclasses import dataclass, field
+
+from damage.burstow import Burstow, BurstowLimits
+from damage.lateral_grid import LateralGrid, PatchGrid
+from damage.material import ER7, WheelMaterial
+from damage.patch_field import theory_number
+from damage.rcf import FLANGE_ANGLE
+from damage.wear.archard import archard
+from damage.wear.law import WearLaw
+
+_NOTHING_WIPED = BurstowLimits(math.inf, 1.0, math.inf)  # thresholds that no energy reaches
+
+
+@dataclass(frozen=True)
+class DamageModel:
+    """What a contact log is judged with.
+
+    Attributes
+    ----------
+    material
+        The wheel steel.
+    law
+        The wear law, see `damage.wear.laws.wear_law`.
+    theory
+        Tangential theory, one of `damage.patch_field.DAMAGE_THEORIES`.
+    cells
+        Cells of a patch along and across [-].
+    flange_angle
+        Contact angle above which a contact counts as flange contact [rad], 0 to pi/2.
+    grid
+        Bins across the wheel profile.
+    patch_grid
+        Bins along the patch.
+    burstow
+        Thresholds of Burstow's correction; None corrects nothing.
+
+    Raises
+    ------
+    ValueError
+        Unknown theory, cells below 1, or an angle out of range.
+    """
+
+    material: WheelMaterial = ER7
+    law: WearLaw = field(default_factory=archard)
+    theory: str = "fastrip"
+    cells: tuple[int, int] = (50, 50)
+    flange_angle: float = FLANGE_ANGLE
+    grid: LateralGrid = field(default_factory=LateralGrid)
+    patch_grid: PatchGrid = field(default_factory=PatchGrid)
+    burstow: Burstow | None = None
+
+    def __post_init__(self) -> None:
+        theory_number(self.theory)
+        if min(self.cells) < 1:
+            raise ValueError(f"cells = {self.cells} must be at least 1 along and across")
+        if not 0.0 < self.flange_angle < 0.5 * math.pi:
+            raise ValueError(f"flange_angle = {self.flange_angle} rad must lie within 0..pi/2 rad")
+
+    @property
+    def limits(self) -> BurstowLimits:
+        """Burstow's thresholds for the kernels."""
+        return _NOTHING_WIPED if self.burstow is None else self.burstow.values

@@ -1,0 +1,50 @@
+"""British Rail's law: the area worn off the wheel's cross-section follows from the wear number alone.
+
+British Rail Research (I.J. McEwen and R.F. Harvey, full-scale rig; used by T.G. Pearce and N.D. Sherratt,
+Wear 144 (1991)); equation 3.30 of Hossein-Nia (2018): the loss per kilometre rolled, in mm^2, of the wear
+number E [N] and the wheel's diameter D [mm] is
+
+    0.25 E/D below 100 N,   25/D from 100 to 200 N,   (1.19 E - 154)/D above.
+
+As printed it jumps from 25/D to 84/D at 200 N; the last line equals 25/D at E = 150.4 N, and there the
+continuous form changes over. The law says nothing about where on the profile: each strip takes the share of
+the patch's energy that it dissipates.
+"""
+
+import math
+
+from damage.wear.law import WearLaw
+from damage.wear.parameters import parameters
+from damage.wear.rate import rate_in_regime, rate_regime, rate_values
+from damage.wear.values import BRITISH_RAIL, NO_MAP, LawValues, RateValues
+from hh_exudyn.kernel import kernel
+
+_SI = 1e-12  # [m^3/m] in [mm^3/km]: of the loss per kilometre times the diameter
+
+
+def british_rail(continuous: bool = False) -> WearLaw:
+    """British Rail's law (3.30); `continuous` removes its jump at 200 N."""
+    number = {name: parameter.value for name, parameter in parameters("british_rail").items()}
+    severe_from = number["severe_from"]
+    if continuous:
+        severe_from = (number["plateau"] - number["severe_offset"]) / number["severe_slope"]  # 150.4 N
+    rate = rate_values(
+        limits=(number["mild_to"], severe_from),
+        slopes=(number["mild_slope"] * _SI, 0.0, number["severe_slope"] * _SI),
+        offsets=(0.0, number["plateau"] * _SI, number["severe_offset"] * _SI),
+    )
+    regimes = ("mild", "plateau", "severe")
+    return WearLaw("british_rail", regimes, LawValues(BRITISH_RAIL, False, NO_MAP, rate))
+
+
+@kernel
+def british_rail_volume(energy: float, rolling_radius: float, rate: RateValues) -> tuple[int, float]:
+    """Regime, and worn volume per metre rolled [m^3/m]: the area per metre, all around the wheel.
+
+    Wear number [N], radius of the wheel at the contact [m]. The diameter cancels: a smaller wheel loses more
+    of its cross-section, on a shorter circumference.
+    """
+    diameter = 2.0 * rolling_radius
+    regime = rate_regime(energy, rate)
+    area = rate_in_regime(regime, energy, rate) / diameter  # (3.30) [m^2/m]
+    return regime, area * math.pi * diameter

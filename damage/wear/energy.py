@@ -1,0 +1,82 @@
+"""The energy that friction dissipates in the contact, per distance rolled: of the patch and of its cells.
+
+Tractions and forces act on the wheel and slip is the wheel's relative to the rail, so what is lost is
+-(q . s) per area [J/m per m^2 = Pa], never below zero. The elastic part of slip does no net work in steady
+rolling: the density's sum over the patch is the wear number of the creepages (equation 3.29).
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hh_exudyn.contact.tangential import TractionField
+from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
+from hh_exudyn.kernel import inlined_kernel, kernel
+
+
+def wear_number(
+    force_x: ArrayLike,
+    force_y: ArrayLike,
+    moment_z: ArrayLike,
+    nu_x: ArrayLike,
+    nu_y: ArrayLike,
+    phi: ArrayLike,
+) -> NDArray[np.float64]:
+    """Energy lost in the creepage per distance rolled [N = J/m], positive for dissipation.
+
+    Hossein-Nia (2018), equation 3.29, with forces on the wheel and creepages of the wheel: hence the minus.
+
+    Parameters
+    ----------
+    force_x, force_y
+        Creep forces on the wheel [N].
+    moment_z
+        Spin moment on the wheel [N m].
+    nu_x, nu_y
+        Creepages [-].
+    phi
+        Spin creepage [1/m].
+    """
+    terms = [np.asarray(value, dtype=np.float64) for value in (force_x, nu_x, force_y, nu_y, moment_z, phi)]
+    loss: NDArray[np.float64] = -(terms[0] * terms[1] + terms[2] * terms[3] + terms[4] * terms[5])  # (3.29)
+    return loss
+
+
+@inlined_kernel
+def cell_energy(fields: Fields, j: int, i: int) -> float:
+    """Energy dissipated in a cell per area and distance rolled [Pa], of the field's own slip."""
+    return -(fields.q_x[j, i] * fields.slip_x[j, i] + fields.q_y[j, i] * fields.slip_y[j, i])
+
+
+def energy_density(field: TractionField) -> NDArray[np.float64]:
+    """Energy dissipated per area and distance rolled in the cells of a field (ny, nx) [Pa]; 0 in stick."""
+    density: NDArray[np.float64] = -(field.q_x * field.slip_x + field.q_y * field.slip_y)
+    return density
+
+
+def rigid_energy_density(field: TractionField, nu_x: float, nu_y: float, phi: float) -> NDArray[np.float64]:
+    """Energy of the tractions on the rigid slip per area and distance rolled (ny, nx) [Pa], equation 3.34.
+
+    Creepages [-], [-], [1/m]. Its sum over the patch is that of `energy_density`, but in stick it is not zero
+    and may be negative: there it is not lost but stored and given back.
+    """
+    density: NDArray[np.float64] = -(field.q_x * (nu_x - phi * field.y) + field.q_y * (nu_y + phi * field.x))
+    return density
+
+
+@kernel
+def strip_energies(patch: RollingPatch, fields: Fields, energies: FloatArray) -> float:
+    """Energy dissipated per distance rolled in each strip into `energies` (ny,); returns their sum [N]."""
+    cells_y, cells_x = fields.pressure.shape
+    q_x, q_y, slip_x, slip_y = fields.q_x, fields.q_y, fields.slip_x, fields.slip_y
+    cell = 4.0 * patch.a * patch.b / (cells_x * cells_y)
+    total = 0.0
+    for j in range(cells_y):
+        lateral = -1.0 + (2 * j + 1) / cells_y
+        density = 0.0
+        for i in range(cells_x):
+            density -= q_x[j, i] * slip_x[j, i] + q_y[j, i] * slip_y[j, i]
+        energies[j] = density * cell * math.sqrt(1.0 - lateral * lateral)
+        total += energies[j]
+    return total

@@ -1,0 +1,67 @@
+"""Krause and Poll's law: worn volume is a coefficient times the work of friction (equation 3.31, 3.32).
+
+H. Krause, G. Poll, Wear of wheel-rail surfaces, Wear 113 (1986) 103-122: W_V = I_w W_R. The coefficient I_w
+depends on the temperature of the contact, hence on the power of friction per contact area, E V / A, in
+regimes. Its numbers belong to the steels, the weather and the rig: there are no defaults.
+
+The work goes with the distance rolled (E is per metre rolled). Each strip takes the share of the patch's
+energy that it dissipates.
+"""
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+
+from damage.wear.law import WearLaw
+from damage.wear.rate import rate_in_regime, rate_regime, rate_values
+from damage.wear.values import KRAUSE_POLL, NO_MAP, REGIMES, LawValues, RateValues
+from hh_exudyn.contact.types import RollingPatch
+from hh_exudyn.kernel import kernel
+
+
+def krause_poll(coefficients: Sequence[float], power_densities: Sequence[float]) -> WearLaw:
+    """Krause and Poll's law with the user's numbers.
+
+    Parameters
+    ----------
+    coefficients
+        I_w of one to four regimes [m^3/J], > 0, from the lowest power density to the highest.
+    power_densities
+        Where one regime passes into the next [W/m^2], rising, > 0; one less than coefficients.
+
+    Raises
+    ------
+    ValueError
+        Wrong numbers of values, or values out of range.
+    """
+    if not 1 <= len(coefficients) <= REGIMES or len(power_densities) != len(coefficients) - 1:
+        raise ValueError(
+            f"Krause and Poll's law takes 1 to {REGIMES} coefficients and one power density less; given: "
+            f"{len(coefficients)} and {len(power_densities)}"
+        )
+    for name, unit, values in (
+        ("coefficients", "m^3/J", coefficients),
+        ("power_densities", "W/m^2", power_densities),
+    ):
+        for value in values:
+            if not (math.isfinite(value) and value > 0.0):
+                raise ValueError(f"{name}: {value} {unit} must be finite and > 0 {unit}")
+    for low, high in pairwise(power_densities):
+        if low >= high:
+            raise ValueError(f"power_densities must rise: {low} W/m^2 is followed by {high} W/m^2")
+    rate = rate_values(power_densities, coefficients, [0.0] * len(coefficients))
+    names = (
+        ("mild", "severe")
+        if len(coefficients) == 2
+        else tuple(f"regime {number + 1}" for number in range(len(coefficients)))
+    )
+    return WearLaw("krause_poll", names, LawValues(KRAUSE_POLL, False, NO_MAP, rate))
+
+
+@kernel
+def krause_poll_volume(
+    energy: float, patch: RollingPatch, speed: float, rate: RateValues
+) -> tuple[int, float]:
+    """Regime, and worn volume per metre rolled [m^3/m] of the wear number [N] at a speed [m/s]."""
+    regime = rate_regime(energy * speed / (math.pi * patch.a * patch.b), rate)  # (3.32)
+    return regime, rate_in_regime(regime, energy, rate)  # (3.31)

@@ -1,0 +1,84 @@
+"""The Sheffield law, of the patch (USFD) and of its cells (Ward).
+
+R. Lewis and R.S. Dwyer-Joyce, Wear mechanisms and transitions in railway wheel steels, Proc. IMechE J 218
+(2004) 467-478, twin discs of R8T wheel on UIC60 900A rail steel: the mass worn off per metre rolled and mm^2
+of contact [ug] over the wear number per contact area x = Tg/A [N/mm^2] is
+
+    5.3 x below 10.4,   55 from 10.4 to 77.2,   61.9 x - 4723.7 above.
+
+The last line is 55 + 61.9 (x - 77.2). Some papers and public code print 61.9 x - 4778.7, which forgets the 55
+that has been reached: the wear would fall from 55 to 0 at 77.2.
+
+`usfd` takes Tg of the whole patch over its area, and wears the patch evenly: a strip by its length of
+contact. `ward` takes the law cell by cell with the cell's own energy (A. Ward, R. Lewis, R.S. Dwyer-Joyce,
+Incorporating a railway wheel wear model into multi-body simulations of wheelset dynamics, 2003): cells in
+stick do not wear.
+"""
+
+import math
+
+from damage.wear.energy import cell_energy
+from damage.wear.law import WearLaw
+from damage.wear.parameters import parameters
+from damage.wear.rate import rate_in_regime, rate_regime, rate_values
+from damage.wear.values import NO_MAP, REGIMES, USFD, WARD, LawValues, RateValues
+from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
+from hh_exudyn.kernel import kernel
+
+_MASS = 1e-3  # [kg/m/m^2] in [ug/m/mm^2]
+_STRESS = 1e6  # [Pa] in [N/mm^2]
+_DENSITY = parameters("usfd")["density"].value
+USFD_REGIMES = ("mild", "severe", "catastrophic")
+
+
+def usfd(density: float = _DENSITY) -> WearLaw:
+    """The Sheffield law of the whole patch. Density of the steel [kg/m^3], > 0 (ValueError)."""
+    return WearLaw("usfd", USFD_REGIMES, LawValues(USFD, False, NO_MAP, _rate(density)))
+
+
+def ward(density: float = _DENSITY) -> WearLaw:
+    """The Sheffield law cell by cell. Density of the steel [kg/m^3], > 0 (ValueError)."""
+    return WearLaw("ward", USFD_REGIMES, LawValues(WARD, False, NO_MAP, _rate(density)))
+
+
+def _rate(density: float) -> RateValues:
+    """Worn volume per metre rolled and contact area [-] over the energy per area [Pa]."""
+    if not (math.isfinite(density) and density > 0.0):
+        raise ValueError(f"density = {density} kg/m^3 must be finite and > 0 kg/m^3")
+    number = {name: parameter.value for name, parameter in parameters("usfd").items()}
+    volume = _MASS / density
+    per_stress = volume / _STRESS
+    last = number["plateau"] - number["catastrophic_slope"] * number["severe_to"]  # -4723.7
+    return rate_values(
+        limits=(number["mild_to"] * _STRESS, number["severe_to"] * _STRESS),
+        slopes=(number["mild_slope"] * per_stress, 0.0, number["catastrophic_slope"] * per_stress),
+        offsets=(0.0, number["plateau"] * volume, last * volume),
+    )
+
+
+@kernel
+def usfd_depths(patch: RollingPatch, energy: float, rate: RateValues, depth: FloatArray) -> None:
+    """Depth by strip and regime (ny, REGIMES) [m] of a patch with the wear number `energy` [N], > 0."""
+    cells_y = depth.shape[0]
+    density = energy / (math.pi * patch.a * patch.b)
+    regime = rate_regime(density, rate)
+    worn = rate_in_regime(regime, density, rate)
+    for j in range(cells_y):
+        lateral = -1.0 + (2 * j + 1) / cells_y
+        depth[j, regime] = worn * 2.0 * patch.a * math.sqrt(1.0 - lateral * lateral)
+
+
+@kernel
+def ward_depths(patch: RollingPatch, fields: Fields, rate: RateValues, depth: FloatArray) -> None:
+    """Depth by strip and regime (ny, REGIMES) [m], summed over the cells of each strip; adds to `depth`."""
+    cells_y, cells_x = fields.pressure.shape
+    for j in range(cells_y):
+        lateral = -1.0 + (2 * j + 1) / cells_y
+        length = 2.0 * patch.a * math.sqrt(1.0 - lateral * lateral) / cells_x
+        for i in range(cells_x):
+            energy = cell_energy(fields, j, i)
+            if energy > 0.0:
+                regime = rate_regime(energy, rate)
+                depth[j, regime] += rate_in_regime(regime, energy, rate)
+        for regime in range(REGIMES):
+            depth[j, regime] *= length

@@ -1,0 +1,71 @@
+"""Wear ratio: what it keeps exactly, and what it tells about the rest."""
+
+import numpy as np
+import pytest
+
+from damage.wear.wear_ratio import WearRatio
+
+ENERGY = np.array([[0.0, 2.0, 4.0, 1.0], [0.0, 1.0, 3.0, 0.0]])
+DEPTH = np.array([[0.0, 6.0, 4.0, 2.0], [0.0, 6.0, 10.0, 0.0]])
+
+
+def test_ratio_of_the_sums_by_hand() -> None:
+    """12/3, 14/7 and 2/1 where there was energy."""
+    ratio = WearRatio.learn(DEPTH, ENERGY)
+    np.testing.assert_array_equal(ratio.ratio, [np.nan, 4.0, 2.0, 2.0])
+    assert ratio.mean == 28.0 / 11.0
+    np.testing.assert_array_equal(ratio.apply([1.0, 1.0, 10.0, 0.0]), [28.0 / 11.0, 4.0, 20.0, 0.0])
+    assert ratio.to_table().column_names == ["depth", "energy", "ratio"]
+
+
+def test_learnt_steps_keep_their_volume_and_place() -> None:
+    ratio = WearRatio.learn(DEPTH, ENERGY)
+    error = ratio.error(ENERGY.sum(axis=0), DEPTH.sum(axis=0))
+    assert (error.volume, error.misplaced, error.unlearnt) == pytest.approx((0.0, 0.0, 0.0), abs=1e-15)
+
+
+def test_a_law_linear_in_energy_is_learnt_from_one_step() -> None:
+    generator = np.random.default_rng(4)
+    first, later = generator.uniform(1.0, 2.0, (2, 30))
+    slope = generator.uniform(0.5, 3.0, 30)
+    ratio = WearRatio.learn(slope * first, first)
+    np.testing.assert_allclose(ratio.apply(later), slope * later, rtol=1e-12)
+
+
+def test_steps_add_as_if_learnt_together() -> None:
+    apart = WearRatio.learn(DEPTH[0], ENERGY[0]) + WearRatio.learn(DEPTH[1], ENERGY[1])
+    np.testing.assert_array_equal(apart.ratio, WearRatio.learn(DEPTH, ENERGY).ratio)
+
+
+def test_error_by_hand() -> None:
+    """Ratio 2 everywhere. Energies 1, 3 give depths 2, 6; the full step wears 4, 6: 8/10 of the volume.
+    Shares 0.25, 0.75 against 0.4, 0.6: 0.15 in the wrong place."""
+    error = WearRatio.learn([2.0, 2.0], [1.0, 1.0]).error([1.0, 3.0], [4.0, 6.0])
+    assert error.volume == pytest.approx(-0.2)
+    assert error.misplaced == pytest.approx(0.15)
+    assert error.unlearnt == 0.0
+
+
+def test_energy_where_nothing_was_learnt_is_told() -> None:
+    ratio = WearRatio.learn([0.0, 3.0], [0.0, 1.0])
+    error = ratio.error([1.0, 3.0], [3.0, 9.0])
+    assert error.unlearnt == 0.25
+    assert error.volume == pytest.approx(0.0)
+
+
+def test_bad_steps_are_refused() -> None:
+    with pytest.raises(ValueError, match=r"depth \(2,\) and energy \(3,\) must have one shape"):
+        WearRatio.learn([1.0, 2.0], [1.0, 2.0, 3.0])
+    with pytest.raises(ValueError, match="energy of the wear ratio must be finite and >= 0"):
+        WearRatio.learn([1.0, 2.0], [1.0, -2.0])
+    with pytest.raises(ValueError, match="no energy was dissipated"):
+        WearRatio.learn([0.0], [0.0])
+    ratio = WearRatio.learn([1.0, 2.0], [1.0, 2.0])
+    with pytest.raises(ValueError, match=r"energy \(3,\) must end in the ratio's 2 positions"):
+        ratio.apply([1.0, 2.0, 3.0])
+    with pytest.raises(ValueError, match="energy must be finite"):
+        ratio.apply([1.0, np.nan])
+    with pytest.raises(ValueError, match=r"needs wear \(sum of depths 0\.0\)"):
+        ratio.error([1.0, 1.0], [0.0, 0.0])
+    with pytest.raises(ValueError, match="on 2 and 1 positions"):
+        ratio + WearRatio.learn([1.0], [1.0])
