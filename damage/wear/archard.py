@@ -81,7 +81,7 @@ def archard_depths(
     """
     pressure, slip_x, slip_y = fields.pressure, fields.slip_x, fields.slip_y
     cells_y, cells_x = pressure.shape
-    wear_map, rigid = law.map, law.rigid
+    wear_map, rigid, step = law.map, law.rigid, 2.0 / cells_x
     for j in range(cells_y):
         for regime in range(REGIMES):
             depth[j, regime] = 0.0
@@ -93,11 +93,11 @@ def archard_depths(
             square = s_x * s_x + s_y * s_y
             if square > 0.0:
                 if rigid:
-                    rigid_y = patch.nu_y + patch.phi * half_length * (-1.0 + (2 * i + 1) / cells_x)
+                    rigid_y = patch.nu_y + patch.phi * half_length * ((i + 0.5) * step - 1.0)
                     square = rigid_x * rigid_x + rigid_y * rigid_y
                 slip = math.sqrt(square)
                 regime = wear_regime(pressure[j, i], slip * speed, wear_map)
                 depth[j, regime] += pressure[j, i] * slip
         for regime in range(REGIMES):
             factor = wear_coefficient(regime, wear_map) / wear_map.hardness
-            depth[j, regime] *= factor * 2.0 * half_length / cells_x  # (3.27)
+            depth[j, regime] *= factor * half_length * step  # (3.27)
