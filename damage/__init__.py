@@ -13,5 +13,6 @@ Start with `damage.report.assess`, which takes the directory of a run.
 `damage.accumulate`       the loop over the contact states
 `damage.contact_states`   reading and checking the contact log
 `damage.material`         wheel steels
+`damage.parameters`       numbers with their sources
 ========================  ==========================================================================
 """

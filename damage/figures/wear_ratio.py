@@ -4,11 +4,12 @@ from collections.abc import Mapping
 
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 from numpy.typing import ArrayLike
 
 from damage.wear.wear_ratio import WearRatio
 
+_LOGARITHMIC_FROM = 5.0  # largest over smallest ratio [-]
 _RATIO_COLOUR, _ENERGY_COLOUR = "#8c2d04", "#c9c9c9"
 
 
@@ -62,10 +63,13 @@ def wear_ratio_figure(
             fontsize=8, color=_RATIO_COLOUR,
             bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 1.0},
         )  # fmt: skip
-        axes.set_yscale("log")
-        for ticks in (axes.yaxis.set_major_formatter, axes.yaxis.set_minor_formatter):
-            ticks(FuncFormatter(lambda value, _: f"{value:.3g}"))
-        axes.tick_params(which="both", labelsize=8)
+        if np.nanmax(ratio.ratio) > _LOGARITHMIC_FROM * np.nanmin(ratio.ratio) > 0.0:
+            axes.set_yscale("log")
+            axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.3g}"))
+            axes.yaxis.set_minor_locator(NullLocator())
+        else:
+            axes.set_ylim(bottom=0.0)
         axes.set_title(name, loc="left", fontsize=9)
         axes.set_ylabel(f"wear ratio [{unit}]")
     panels[-1].set_xlim(float(shown.min()) - 2.0, float(shown.max()) + 2.0)

@@ -12,10 +12,11 @@ slip (Jendel).
 """
 
 import math
+from dataclasses import replace
 
+from damage.parameters import parameters
 from damage.wear.jendel import JENDEL_REGIMES, JendelMap, wear_coefficient, wear_regime
 from damage.wear.law import WearLaw, require_known
-from damage.wear.parameters import parameters
 from damage.wear.values import ARCHARD, NO_RATE, REGIMES, LawValues
 from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
 from hh_exudyn.kernel import kernel
@@ -30,6 +31,7 @@ def archard(
     slip: str = "elastic",
     wear_map: JendelMap = DRY,
     divisor: float | None = None,
+    hardness: float | None = None,
 ) -> WearLaw:
     """Archard's law with Jendel's map.
 
@@ -44,18 +46,22 @@ def archard(
         The dry coefficients and the hardness.
     divisor
         Instead of the surface's [-], > 0; 5.5 is also in use for "lubricated".
+    hardness
+        Of the softer steel, instead of the map's [Pa], > 0. The pressure of seizure goes with it.
 
     Raises
     ------
     ValueError
-        Unknown surface or slip, or a divisor that is not above zero.
+        Unknown surface or slip, or a divisor or hardness that is not above zero.
     """
     require_known("surface", surface, SURFACES)
     require_known("slip", slip, SLIPS)
     if divisor is None:
-        divisor = 1.0 if surface == "dry" else parameters("surface")[surface].value
+        divisor = 1.0 if surface == "dry" else parameters("wear", "surface")[surface].value
     elif surface == "dry":
         raise ValueError(f"divisor = {divisor}: a dry surface has none; name the surface it is for")
+    if hardness is not None:
+        wear_map = replace(wear_map, hardness=hardness)
     values = LawValues(ARCHARD, slip == "rigid", wear_map.divided(divisor).values, NO_RATE)
     return WearLaw("archard", JENDEL_REGIMES, values)
 
