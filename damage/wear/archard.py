@@ -8,7 +8,10 @@ distance = k N / H. Per strip of the patch, as a depth on the wheel per revoluti
 with the local pressure p and the local slip over speed s. Elastic slip is the field's own: rigid slip less
 the rate of the surfaces' elastic displacement (R. Enblom, Deterioration mechanisms in the wheel-rail
 interface, KTH 2006); rigid slip is that of the creepages, nu_x - phi y and nu_y + phi x, in the cells that
-slip (Jendel).
+slip (Jendel). Where most of the patch sticks the two differ by a factor: elastic slip carries all of the
+dissipated energy, |s| p = e / mu, of which the rigid slip in the slip zone holds a fifth to a half at
+creepages of 0.03 to 0.2 %. The pressure is that of the tangential theory: FASTSIM's parabola is 4/3 of Hertz's
+in the middle and meets seizure sooner.
 """
 
 import math
