@@ -10,8 +10,8 @@ the rate of the surfaces' elastic displacement (R. Enblom, Deterioration mechani
 interface, KTH 2006); rigid slip is that of the creepages, nu_x - phi y and nu_y + phi x, in the cells that
 slip (Jendel). Where most of the patch sticks the two differ by a factor: elastic slip carries all of the
 dissipated energy, |s| p = e / mu, of which the rigid slip in the slip zone holds a fifth to a half at
-creepages of 0.03 to 0.2 %. The pressure is that of the tangential theory: FASTSIM's parabola is 4/3 of Hertz's
-in the middle and meets seizure sooner.
+creepages of 0.03 to 0.2 %. The pressure is that of the tangential theory: FASTSIM's parabola is 4/3 of
+Hertz's in the middle and meets seizure sooner.
 """
 
 import math
