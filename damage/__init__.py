@@ -24,5 +24,6 @@ Start with `damage.report.assess`, which takes a run, files, a table or arrays.
 `damage.contact_states`   the contact log in checked chunks; `damage.bad_rows` what is wrong with rows
 `damage.material`         wheel steels
 `damage.rcf_subsurface`   fatigue below the surface: FI_sub, FI_def
+`damage.parameters`       numbers with their sources
 ========================  ==========================================================================
 """

@@ -27,6 +27,7 @@ def test_package_comes_from_site_packages(name: str) -> None:
         ("hh_exudyn", "validation/stress_fields.npz"),
         ("vehicles", "iore_wagon.toml"),
         ("track", "flexibility.toml"),
+        ("damage", "wear.toml"),
     ],
 )
 def test_data_files_are_in_the_packages(package: str, file: str) -> None:

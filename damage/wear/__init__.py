@@ -18,7 +18,8 @@ A law is made by name and then used like any other, on a batch of contact states
 `damage.wear.law`             what a law is
 `damage.wear.rate`            piecewise linear rates of the energy laws
 `damage.wear.strip_wear`      the one kernel: depth per strip of a patch, whatever the law
-`damage.wear.parameters`      every number with its source
 `damage.wear.values`          a law as the kernels take it
 ============================  ======================================================================
+
+Every number of a law lies with its source in ``damage/data/wear.toml``.
 """

@@ -122,7 +122,7 @@ def wear_depths(
     require_known("theory", theory, FIELD_THEORIES)
     if min(cells) < 1:
         raise ValueError(f"cells = {cells} must be at least 1 along and across")
-    columns = _checked(states)
+    columns = wear_states(states)
     count = columns.a.size
     by_regime = np.zeros((count, cells[1], REGIMES))
     energy = np.zeros((count, cells[1]))
@@ -137,8 +137,8 @@ def wear_depths(
     )
 
 
-def _checked(states: Mapping[str, Any] | pyarrow.Table) -> WearStates:
-    """The states as (n,) arrays of their own; ValueError for what is missing or out of range."""
+def wear_states(states: Mapping[str, Any] | pyarrow.Table) -> WearStates:
+    """The states as (n,) arrays of their own; arguments and errors as `wear_depths`."""
     given = set(states.column_names) if isinstance(states, pyarrow.Table) else set(states)
     if missing := [name for name in WearStates._fields if name not in given]:
         raise ValueError(f"contact states: {', '.join(missing)} missing")

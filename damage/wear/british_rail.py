@@ -13,8 +13,8 @@ the patch's energy that it dissipates.
 
 import math
 
+from damage.parameters import parameters
 from damage.wear.law import WearLaw
-from damage.wear.parameters import parameters
 from damage.wear.rate import rate_in_regime, rate_regime, rate_values
 from damage.wear.values import BRITISH_RAIL, NO_MAP, LawValues, RateValues
 from hh_exudyn.kernel import kernel
@@ -24,7 +24,7 @@ _SI = 1e-12  # [m^3/m] in [mm^3/km]: of the loss per kilometre times the diamete
 
 def british_rail(continuous: bool = False) -> WearLaw:
     """British Rail's law (3.30); `continuous` removes its jump at 200 N."""
-    number = {name: parameter.value for name, parameter in parameters("british_rail").items()}
+    number = {name: parameter.value for name, parameter in parameters("wear", "british_rail").items()}
     severe_from = number["severe_from"]
     if continuous:
         severe_from = (number["plateau"] - number["severe_offset"]) / number["severe_slope"]  # 150.4 N

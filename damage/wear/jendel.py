@@ -7,14 +7,14 @@ Figure 3-23 of Hossein-Nia (2018).
 import math
 from dataclasses import dataclass, fields, replace
 
-from damage.wear.parameters import parameters
+from damage.parameters import parameters
 from damage.wear.values import MapValues
 from hh_exudyn.kernel import kernel
 
 JENDEL_REGIMES = ("mild, slow", "severe", "mild, fast", "seizure")
 """Regions of the map, in the order of the regime columns."""
 
-_DATA = {name: parameter.value for name, parameter in parameters("jendel").items()}
+_DATA = {name: parameter.value for name, parameter in parameters("wear", "jendel").items()}
 
 
 @dataclass(frozen=True)

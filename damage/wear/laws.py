@@ -4,7 +4,7 @@
 law               worn volume per metre rolled                                     options
 ================  ===============================================================  ===========================
 `archard`         k/H times pressure times slip, summed over the cells             surface, slip, wear_map,
-                                                                                   divisor
+                                                                                   divisor, hardness
 `british_rail`    piecewise linear in the wear number; strips by their energy      continuous
 `usfd`            piecewise linear in wear number over area; all over the patch    density
 `ward`            the same law in every cell, of the cell's own energy             density

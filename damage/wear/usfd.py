@@ -17,9 +17,9 @@ stick do not wear.
 
 import math
 
+from damage.parameters import parameters
 from damage.wear.energy import cell_energy
 from damage.wear.law import WearLaw
-from damage.wear.parameters import parameters
 from damage.wear.rate import rate_in_regime, rate_regime, rate_values
 from damage.wear.values import NO_MAP, REGIMES, USFD, WARD, LawValues, RateValues
 from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
@@ -27,7 +27,7 @@ from hh_exudyn.kernel import kernel
 
 _MASS = 1e-3  # [kg/m/m^2] in [ug/m/mm^2]
 _STRESS = 1e6  # [Pa] in [N/mm^2]
-_DENSITY = parameters("usfd")["density"].value
+_DENSITY = parameters("wear", "usfd")["density"].value
 USFD_REGIMES = ("mild", "severe", "catastrophic")
 
 
@@ -45,7 +45,7 @@ def _rate(density: float) -> RateValues:
     """Worn volume per metre rolled and contact area [-] over the energy per area [Pa]."""
     if not (math.isfinite(density) and density > 0.0):
         raise ValueError(f"density = {density} kg/m^3 must be finite and > 0 kg/m^3")
-    number = {name: parameter.value for name, parameter in parameters("usfd").items()}
+    number = {name: parameter.value for name, parameter in parameters("wear", "usfd").items()}
     volume = _MASS / density
     per_stress = volume / _STRESS
     last = number["plateau"] - number["catastrophic_slope"] * number["severe_to"]  # -4723.7

@@ -6,6 +6,11 @@ gives anyway is multiplied by it, which spares the patches' solution. The price 
 60 % of the worn volume, most of it on the flange where lubrication changes: `error` tells it against a full
 step.
 
+Where it comes from: in the cells that slip |q| = mu p, so with elastic slip and within one region of the
+wear map the ratio is k/(H mu) exactly, whatever the load and the creepages. It holds for the friction, the
+region and the lubrication that it was learnt in: from friction mu_1 to mu_2 the volume is off by
+mu_2/mu_1 - 1. Energy over friction may be given for the energy, which removes that part.
+
 Depth and energy lie on the same lateral grid, in any unit that stays the same: metres and joules per bin, or
 depth per km and N.
 """

@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from damage.parameters import Parameter, parameters
 from damage.wear.batch import WearDepths, wear_depths
 from damage.wear.british_rail import british_rail_volume
 from damage.wear.jendel import JendelMap
 from damage.wear.law import WearLaw
 from damage.wear.laws import wear_law
-from damage.wear.parameters import parameters
 from damage.wear.rate import rate_in_regime, rate_regime
 
 A, B, LOAD, FRICTION, RADIUS = 4e-3, 5e-3, 20e3, 0.1, 0.46
@@ -70,7 +70,8 @@ def test_archard_in_the_mild_regions(nu: float, regime: int, coefficient: float)
 def test_archard_seizes_where_the_pressure_is_beyond_four_fifths_of_the_hardness() -> None:
     """H = 500 MPa: p = p0 sqrt(1 - r^2) > 400 MPa within r^2 < 1 - (400/477)^2, which carries 1 - (400/477)^3
     of the load."""
-    law = wear_law("archard", wear_map=JendelMap(hardness=500e6))
+    law = wear_law("archard", hardness=500e6)
+    assert law == wear_law("archard", wear_map=JendelMap(hardness=500e6))
     by_regime = worn(law, cells=400).volume[0]
     share = 1.0 - (400e6 / P0) ** 3
     assert by_regime[3] == pytest.approx(350e-4 / 500e6 * LOAD * share * 0.02, rel=5e-3)  # cells at the rim
@@ -286,10 +287,13 @@ def test_the_table_has_a_row_per_state_and_a_column_per_regime() -> None:
 
 def test_every_parameter_says_where_it_is_from() -> None:
     for law in ("jendel", "surface", "british_rail", "usfd"):
-        for name, parameter in parameters(law).items():
-            assert parameter.source.split(":")[0] in ("published", "derived", "assumed"), (law, name)
+        for name, parameter in parameters("wear", law).items():
             assert parameter.unit, (law, name)
             assert isinstance(parameter.confirmed, bool), (law, name)
+    with pytest.raises(ValueError, match=r"wear.toml has no table 'ward'; it has: jendel, surface"):
+        parameters("wear", "ward")
+    with pytest.raises(ValueError, match="must start with one of: published, derived, assumed"):
+        Parameter(1.0, "-", "Jendel", confirmed=False)
 
 
 @pytest.mark.parametrize(
@@ -300,6 +304,7 @@ def test_every_parameter_says_where_it_is_from() -> None:
         ("archard", {"slip": "plastic"}, r"slip = 'plastic'; known: elastic, rigid"),
         ("archard", {"divisor": 5.5}, r"divisor = 5\.5: a dry surface has none"),
         ("archard", {"surface": "greased", "divisor": -1.0}, r"divisor = -1\.0"),
+        ("archard", {"hardness": 0.0}, r"hardness = 0\.0"),
         ("usfd", {"surface": "greased"}, r"'usfd' has no option 'surface'; it has density"),
         ("usfd", {"density": 0.0}, r"density = 0\.0 kg/m\^3 must be finite and > 0"),
         ("krause_poll", {}, r"'krause_poll' needs coefficients and power_densities: there are no published"),

@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from damage.wear.batch import WearDepths, wear_depths
+from damage.wear.laws import wear_law
 from damage.wear.wear_ratio import WearRatio
 
 ENERGY = np.array([[0.0, 2.0, 4.0, 1.0], [0.0, 1.0, 3.0, 0.0]])
@@ -69,3 +71,23 @@ def test_bad_steps_are_refused() -> None:
         ratio.error([1.0, 1.0], [0.0, 0.0])
     with pytest.raises(ValueError, match="on 2 and 1 positions"):
         ratio + WearRatio.learn([1.0], [1.0])
+
+
+def strips(friction: float) -> WearDepths:
+    state = {"a": 6e-3, "b": 5e-3, "normal_force": 100e3, "nu_x": 1e-3, "nu_y": 5e-4, "phi": 0.1}
+    return wear_depths(
+        wear_law("archard"), state | {"friction": friction, "speed": 10.0, "rolling_radius": 0.46}
+    )
+
+
+def test_the_ratio_holds_for_one_friction() -> None:
+    """Slipping cells have |q| = mu p, so Archard's depth is k/(H mu) times the energy of the strip over its
+    width; learnt at 0.35 and used at 0.5 it is 0.5/0.35 - 1 too much. Over energy/friction it is not."""
+    learnt, full = strips(0.35), strips(0.5)
+    ratio = WearRatio.learn(learnt.depth, learnt.energy)
+    expected = 5.5e-4 / 2.65e9 / 0.35 / learnt.width[0]
+    np.testing.assert_allclose(ratio.ratio, expected, rtol=1e-9)
+    error = ratio.error(full.energy, full.depth)
+    assert (error.volume, error.misplaced) == pytest.approx((0.5 / 0.35 - 1.0, 0.0), abs=1e-9)
+    over_friction = WearRatio.learn(learnt.depth, learnt.energy / 0.35)
+    assert over_friction.error(full.energy / 0.5, full.depth).volume == pytest.approx(0.0, abs=1e-9)
