@@ -31,7 +31,7 @@ from hh_exudyn.contact.profile import Profile, read_wheel_profile, wheel_profile
 from hh_exudyn.contact.profile_measures import flange_thickness
 from hh_exudyn.contact.types import WheelRailModel
 from hh_exudyn.contact.wheel_rail import wheel_rail_model
-from hh_exudyn.conventions import BACK_TO_BACK
+from hh_exudyn.conventions import BACK_TO_BACK, LEFT, RIGHT
 from track.alignment import Alignment
 from vehicles.catalogue import VEHICLES
 from vehicles.catalogue import vehicle as vehicle_by_name
@@ -49,6 +49,8 @@ __all__ = [
     "read_case",
 ]
 
+_RAILS = ("rail", "rail_left", "rail_right", "rail_high", "rail_low")
+_FILES = ("wheel_profile", "irregularity", *_RAILS)  # keys whose value may be the path of a file
 SHORTEST_TRACK_M = 30.0  # a wagon of 10.29 m and some way to run
 
 
@@ -150,12 +152,11 @@ class Case(CaseTable):
         radii = {wheelset.radius for wheelset in vehicle.wheelsets}
         if len(radii) > 1:
             raise ValueError(f"vehicle {vehicle.name}: wheel radii {sorted(radii)} m must be equal")
-        rails = self.track.rails
         return wheel_rail_model(
             self.wheel,
             self.wheel,
-            rails.left_profile(),
-            rails.right_profile(),
+            self.track.rail_course(LEFT),
+            self.track.rail_course(RIGHT),
             nominal_radius=radii.pop(),
             damping=self.contact.damping_s_per_m,
             normal=self.contact.normal,
@@ -170,8 +171,16 @@ class Case(CaseTable):
         for section in sections:
             if "hand" in section:
                 section["hand"] = other[section["hand"]]
-        mirrored = not self.track.irregularity_mirrored
-        return self.with_changes(track={"sections": sections, "irregularity_mirrored": mirrored})
+            if "rail_left" in section:
+                section |= {"rail_left": section["rail_right"], "rail_right": section["rail_left"]}
+        return self.with_changes(
+            track={
+                "sections": sections,
+                "rail_left": self.track.rail_right,
+                "rail_right": self.track.rail_left,
+                "irregularity_mirrored": not self.track.irregularity_mirrored,
+            }
+        )
 
     def with_changes(self, /, **changes: Any) -> "Case":
         """A changed copy, checked again.
@@ -182,7 +191,7 @@ class Case(CaseTable):
 
     def to_toml(self) -> str:
         """The case as TOML; `read_case` gives an equal case."""
-        return tomli_w.dumps(self.model_dump())
+        return tomli_w.dumps(self.model_dump(exclude_none=True))
 
     @classmethod
     def from_toml(cls, text: str, source: str = "case", folder: Path | None = None) -> "Case":
@@ -207,14 +216,11 @@ class Case(CaseTable):
         except tomllib.TOMLDecodeError as error:
             raise CaseError(f"{source}: not valid TOML: {error}") from None
         if folder is not None:
-            for table, key in (
-                (data, "wheel_profile"),
-                (data.get("track"), "rail"),
-                (data.get("track"), "irregularity"),
-            ):
-                name = table.get(key) if isinstance(table, dict) else None
-                if isinstance(table, dict) and isinstance(name, str) and is_path(name):
-                    table[key] = str((folder / name).resolve())
+            for table in _tables(data):
+                for key in _FILES:
+                    name = table.get(key)
+                    if isinstance(name, str) and is_path(name):
+                        table[key] = str((folder / name).resolve())
         try:
             return cls(**data)
         except CaseError as error:
@@ -242,6 +248,14 @@ def read_case(path: str | Path) -> Case:
 
 def _wheel(name: str) -> Profile:
     return read_profile(read_wheel_profile, name) if is_path(name) else wheel_profile(name)
+
+
+def _tables(data: dict[str, Any]) -> list[dict[str, Any]]:
+    """The tables of a case file that may name files, whatever else it holds."""
+    track = data.get("track")
+    sections = track.get("sections") if isinstance(track, dict) else None
+    inner = sections if isinstance(sections, list) else []
+    return [table for table in (data, track, *inner) if isinstance(table, dict)]
 
 
 def _merged(old: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:

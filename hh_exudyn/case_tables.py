@@ -3,19 +3,21 @@
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, field_validator, model_validator
 
 from hh_exudyn.contact.non_elliptic import check_combination
 from hh_exudyn.contact.profile import Profile, read_rail_profile
-from hh_exudyn.conventions import NOMINAL_GAUGE
+from hh_exudyn.contact.rail_tables import CHANGE_LENGTH, RailCourse
+from hh_exudyn.conventions import LEFT, NOMINAL_GAUGE
 from track.alignment import Curve, Straight, Transition
 from track.flexibility import track_flexibility
 from track.irregularity import Irregularity, random_irregularity
 from track.irregularity_csv import read_irregularity
-from track.rails import Rails
+from track.rails import RailPair, Rails, RailsAlong
 from track.spectra import spectrum_names
 
 LONGEST_WAVELENGTH = 70.0  # m, of random irregularities
@@ -37,6 +39,18 @@ def _gauge() -> Any:
     return Field(NOMINAL_GAUGE * 1000, le=LARGEST_GAUGE_MM, json_schema_extra=extra)
 
 
+def _check_rail(name: str) -> str:
+    """A rail is a known name, or a file that can be read."""
+    if is_path(name):
+        read_profile(read_rail_profile, name)
+    else:
+        Rails(left=name, right=name).left_profile()
+    return name
+
+
+RailName = Annotated[str, AfterValidator(_check_rail)]
+
+
 class CaseTable(BaseModel):
     """Frozen; no unknown keys, no numbers in quotes, no NaN or infinity."""
 
@@ -44,11 +58,18 @@ class CaseTable(BaseModel):
 
 
 class StraightCase(CaseTable):
-    """A straight."""
+    """A straight; where it says nothing of its rails, they are those of the track."""
 
     kind: Literal["straight"] = "straight"
     length_m: float = number("m", 1, 100_000)
     gauge_mm: float = _gauge()
+    rail: RailName | None = None
+    rail_left: RailName | None = None
+    rail_right: RailName | None = None
+
+    def rails(self, track: Rails) -> Rails:
+        """Its rails, on a track with those."""
+        return _sided(track, self.rail, self.rail_left, self.rail_right)
 
     def section(self) -> Straight:
         """The section in SI."""
@@ -65,9 +86,15 @@ class TransitionCase(CaseTable):
         """The section in SI."""
         return Transition(length=self.length_m)
 
+    def rails(self, track: Rails) -> None:
+        """None of its own: they change in its middle from one neighbour's to the other's."""
+
 
 class CurveCase(CaseTable):
-    """A curve of constant radius; the cant raises its outer rail."""
+    """A curve of constant radius; the cant raises its outer rail.
+
+    Where it says nothing of its high (outer) or low rail, it is that of the track.
+    """
 
     kind: Literal["curve"] = "curve"
     length_m: float = number("m", 1, 100_000)
@@ -75,6 +102,13 @@ class CurveCase(CaseTable):
     hand: Literal["left", "right"]
     cant_mm: float = number("mm", 0, 180, 0.0)
     gauge_mm: float = _gauge()
+    rail_high: RailName | None = None
+    rail_low: RailName | None = None
+
+    def rails(self, track: Rails) -> Rails:
+        """Its rails, on a track with those."""
+        high, low = (track.right, track.left) if self.hand == "left" else (track.left, track.right)
+        return RailPair(self.rail_high or high, self.rail_low or low).rails(self.hand, track.inclination)
 
     def section(self) -> Curve:
         """The section in SI."""
@@ -93,12 +127,18 @@ Section = Annotated[StraightCase | TransitionCase | CurveCase, Field(discriminat
 class TrackCase(CaseTable):
     """Rails, their foundation, irregularities, and the alignment section by section.
 
+    `rail` lies on both sides but where `rail_left`, `rail_right` or a section say otherwise. One rail passes
+    into another over `rail_change_m` about the middle of a transition, or about the end of a section.
+
     `irregularity` is ``"none"``, a spectrum (`track.spectra.spectrum_names`) of which `irregularity_seed`
     draws a random track with wavelengths from `irregularity_shortest_m` to 70 m, or a measured file
     (`track.irregularity_csv`). It begins ahead of the vehicle, faded in over 50 m.
     """
 
-    rail: str = "60E1"
+    rail: RailName = "60E1"
+    rail_left: RailName | None = None
+    rail_right: RailName | None = None
+    rail_change_m: float = number("m", 0.5, 100, CHANGE_LENGTH)
     inclination: str | float = Field(default="1:30", json_schema_extra={"allowed": '"1:15" to "1:100", or 0'})
     flexibility: str = "concrete"
     irregularity: str = SMOOTH
@@ -110,14 +150,16 @@ class TrackCase(CaseTable):
         strict=False, min_length=1, json_schema_extra={"allowed": "one or more sections"}
     )
 
-    @field_validator("rail")
-    @classmethod
-    def _check_rail(cls, value: str) -> str:
-        if is_path(value):
-            read_profile(read_rail_profile, value)
-        else:
-            Rails(left=value, right=value).left_profile()
-        return value
+    @model_validator(mode="after")
+    def _check_rail_changes(self) -> Self:
+        starts = [part.start for part in self.rails_along().sections[1:]]
+        for one, other in pairwise(starts):
+            if other - one < self.rail_change_m:
+                raise ValueError(
+                    f"sections: rails change at s = {one:g} m and at {other:g} m: allowed at least "
+                    f"rail_change_m = {self.rail_change_m:g} m apart"
+                )
+        return self
 
     @field_validator("inclination")
     @classmethod
@@ -187,8 +229,29 @@ class TrackCase(CaseTable):
 
     @property
     def rails(self) -> Rails:
-        """Both rails, with their inclination."""
-        return Rails(left=self.rail, right=self.rail, inclination=self.rail_inclination)
+        """Both rails where no section says otherwise, with their inclination."""
+        both = Rails(left=self.rail, right=self.rail, inclination=self.rail_inclination)
+        return _sided(both, None, self.rail_left, self.rail_right)
+
+    def rails_along(self) -> RailsAlong:
+        """Which rails lie where."""
+        track = self.rails
+        return RailsAlong.of_stretches((part.length_m, part.rails(track)) for part in self.sections)
+
+    def rail_course(self, side: int) -> RailCourse:
+        """The profiles of one side, `LEFT` or `RIGHT`, along the track."""
+        along = self.rails_along().sections
+        found: list[tuple[float, str, Profile]] = []
+        for part in along:
+            name = part.rails.left if side == LEFT else part.rails.right
+            if not found or found[-1][1] != name:
+                profile = part.rails.left_profile() if side == LEFT else part.rails.right_profile()
+                found.append((part.start, name, profile))
+        return RailCourse(
+            tuple(profile for _, _, profile in found),
+            tuple(start for start, _, _ in found[1:]),
+            self.rail_change_m,
+        )
 
 
 _Cells = Annotated[int, Field(ge=5, le=100)]
@@ -233,8 +296,13 @@ class IntegrationCase(CaseTable):
         return self
 
 
+def _sided(rails: Rails, both: str | None, left: str | None, right: str | None) -> Rails:
+    """`rails` with what is given for both sides, and for each."""
+    return replace(rails, left=left or both or rails.left, right=right or both or rails.right)
+
+
 def is_path(name: str) -> bool:
-    """Whether a wheel profile is a file: names of published profiles have neither folder nor ending."""
+    """Whether a profile is a file: names of published profiles have neither folder nor ending."""
     return "/" in name or "\\" in name or "." in name
 
 

@@ -27,6 +27,7 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "hh_exudyn.case": (
         "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.case_errors", "hh_exudyn.case_tables",
     ),
+    "hh_exudyn.case_line": ("track", "hh_exudyn.case"),
     "hh_exudyn.multibody": ("hh_exudyn.case", "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.log"),
     "hh_exudyn.playback": (
         "hh_exudyn.log", "hh_exudyn.case", "hh_exudyn.contact", "damage", "vehicles", "track",

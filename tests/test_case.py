@@ -122,6 +122,8 @@ FAULTS: dict[str, tuple[dict[str, Any], list[str]]] = {  # change: parts of the 
     "theory": ({"contact": {"theory": "fastrap"}}, ["contact.theory", "fastrip, fastsim", '"fastrip"?']),
     "rail": ({"track": {"rail": "61E1"}}, ["track.rail", "61E1", "60E1"]),
     "rail file": ({"track": {"rail": "no/such.txt"}}, ["track.rail", "no/such.txt", "not found"]),
+    "left rail": ({"track": {"rail_left": "61E1"}}, ["track.rail_left", "61E1", "60E1"]),
+    "change of rails": ({"track": {"rail_change_m": 0.1}}, ["rail_change_m = 0.1 m", "allowed 0.5 to 100 m"]),
     "flexibility": ({"track": {"flexibility": "soft"}}, ["track.flexibility", "wooden_frozen, rigid"]),
     "inclination": ({"track": {"inclination": "1:5"}}, ['track.inclination = "1:5"', '"1:15" to "1:100"']),
     "inclination text": ({"track": {"inclination": "flat"}}, ['"flat"', '"1:15" to "1:100"']),

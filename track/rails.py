@@ -222,6 +222,28 @@ class RailsAlong:
                     "where the section before it starts"
                 )
 
+    @classmethod
+    def of_stretches(cls, stretches: Iterable[tuple[float, Rails | None]]) -> "RailsAlong":
+        """Rails of stretches of track in their order from s = 0, each by its length [m] and its rails.
+
+        A stretch without rails of its own (None: a transition) has those of its neighbours, which change in
+        its middle. Neighbours with the same rails become one section. Raises ValueError where no stretch has
+        rails.
+        """
+        found: list[RailSection] = []
+        start, without = 0.0, 0.0
+        for length, rails in stretches:
+            if rails is None:
+                without += length
+            else:
+                if not found:
+                    found.append(RailSection(0.0, rails))
+                elif rails != found[-1].rails:
+                    found.append(RailSection(start - 0.5 * without, rails))
+                without = 0.0
+            start += length
+        return cls(tuple(found))
+
     def at(self, s: float) -> RailSection:
         """The section at arc length s [m]; on a boundary the one that begins there."""
         found = self.sections[0]

@@ -15,6 +15,7 @@ Profiles
     `standard_profiles` S1002 and rail heads from their arcs
     `line_profiles`     stand-ins for the profiles of the Malmbanan line, all assumed
     `profile_spline`    a profile as the table that kernels read
+    `rail_tables`       the rail of one side along the track, changing from profile to profile
 
 Contact geometry, no force
     `silhouette`        the line on which a rolled and yawed wheel can touch a prismatic rail

@@ -49,6 +49,8 @@ class ContactState:
         Elastic approach along the normal [m].
     roll : float
         Roll of the wheelset, right-hand about x [rad].
+    s : float
+        Arc length of the wheelset along the track, where a rail may have changed [m].
     """
 
     side: int
@@ -75,6 +77,7 @@ class ContactState:
     y_wheelset: float
     approach: float
     roll: float
+    s: float
 
 
 def contact_state(
@@ -87,6 +90,7 @@ def contact_state(
     yaw: float,
     roll: float,
     lateral: float,
+    arc_length: float = 0.0,
 ) -> ContactState:
     """A patch as the kernel wrote it (`types.Patch`), with what it does not hold, by names."""
     return ContactState(
@@ -114,6 +118,7 @@ def contact_state(
         y_wheelset=lateral,
         approach=float(row[Patch.APPROACH]),
         roll=roll,
+        s=arc_length,
     )
 
 

@@ -16,6 +16,7 @@ from hh_exudyn.contact.fastrip import field_on_strips
 from hh_exudyn.contact.neighbours import find_patches
 from hh_exudyn.contact.non_elliptic import HERTZ, minimum, patch_strips
 from hh_exudyn.contact.profile_spline import spline_evaluate
+from hh_exudyn.contact.rail_tables import rail_at
 from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS, Y_WHEEL
 from hh_exudyn.contact.silhouette import WheelRailPair, silhouette, wheel_rail_pair
 from hh_exudyn.contact.strips import HALF_LENGTH, PRESSURE, STRIP_COLUMNS, WIDTH, Y
@@ -60,6 +61,8 @@ class State(Protocol):
     def approach(self) -> float: ...
     @property
     def roll(self) -> float: ...
+    @property
+    def s(self) -> float: ...
 
 
 @dataclass(frozen=True)
@@ -224,7 +227,8 @@ def _solve(model: WheelRailModel, state: State, rows: FloatArray) -> tuple[float
 def _pair(model: WheelRailModel, state: State) -> tuple[WheelRailPair, float, float]:
     """Wheel and rail with the logged places above each other, the height of touch and the slope there."""
     left = state.side == LEFT
-    wheel, rail = (model.wheel_left, model.rail_left) if left else (model.wheel_right, model.rail_right)
+    wheel = model.wheel_left if left else model.wheel_right
+    rail, _ = rail_at(model.rails_left if left else model.rails_right, state.s)
     yaw, roll = state.angle_of_attack, state.roll
     axle = np.array([-math.sin(yaw) * math.cos(roll), math.cos(yaw) * math.cos(roll), math.sin(roll)])
     pair = wheel_rail_pair(

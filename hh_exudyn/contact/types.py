@@ -30,18 +30,36 @@ class SplineTable(NamedTuple):
     bounds: FloatArray  # (levels, n, 2) least and largest second derivative from node i to node i + 2^level
 
 
+class RailTables(NamedTuple):
+    """The rails of one side along the track (`rail_tables`): profiles in rows, and which lies where.
+
+    Node j of one profile lies, within half a step, as far from its gauge point as node j of another.
+    """
+
+    start: FloatArray  # (profiles,) as of `SplineTable`, and so on
+    step: float
+    per_step: float
+    z: FloatArray  # (profiles, n)
+    second: FloatArray  # (profiles, n)
+    slope: FloatArray  # (profiles, n)
+    bounds: FloatArray  # (profiles, levels, n, 2)
+    gauge_point: FloatArray  # (profiles,) y of the gauge point in profile coordinates [m]
+    profile: NDArray[np.int64]  # (sections,) row of each section
+    change: FloatArray  # (sections - 1,) arc length of the middle of each change [m]
+    change_length: float  # [m]
+
+
 class WheelRailModel(NamedTuple):
     """Everything about the contact that does not change during a run.
 
-    The profiles of the left and right side may differ (a measured wheel, a worn high rail).
+    The profiles of the left and right side may differ (a measured wheel, a worn high rail), and the rails
+    along the track: `rail_tables.rail_at` gives the one at an arc length.
     """
 
     wheel_left: SplineTable
     wheel_right: SplineTable
-    rail_left: SplineTable
-    rail_right: SplineTable
-    gauge_point_left: float  # y of the gauge point in the left rail's profile coordinates [m]
-    gauge_point_right: float
+    rails_left: RailTables
+    rails_right: RailTables
     running_circle_distance: float  # half the lateral distance of the two running circles [m]
     nominal_radius: float  # wheel radius at the running circle [m]
     shear_modulus: float  # of both bodies [Pa]

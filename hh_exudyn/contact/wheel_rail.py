@@ -22,8 +22,9 @@ from hh_exudyn.contact.non_elliptic import (
     check_combination,
 )
 from hh_exudyn.contact.patch_forces import add_patch
-from hh_exudyn.contact.profile import Profile, gauge_point
+from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.profile_spline import spline_table
+from hh_exudyn.contact.rail_tables import RailCourse, rail_at, rail_tables
 from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
 from hh_exudyn.contact.silhouette import wheel_rail_pair
 from hh_exudyn.contact.strips import STRIP_COLUMNS
@@ -36,8 +37,8 @@ from hh_exudyn.kernel import inlined_kernel
 def wheel_rail_model(
     wheel_left: Profile,
     wheel_right: Profile,
-    rail_left: Profile,
-    rail_right: Profile,
+    rail_left: Profile | RailCourse,
+    rail_right: Profile | RailCourse,
     *,
     nominal_radius: float,
     back_to_back: float = BACK_TO_BACK,
@@ -52,8 +53,10 @@ def wheel_rail_model(
 
     Parameters
     ----------
-    wheel_left, wheel_right, rail_left, rail_right : Profile
-        The rails include their inclination.
+    wheel_left, wheel_right : Profile
+        Wheels.
+    rail_left, rail_right : Profile or RailCourse
+        The rails include their inclination; one profile all along, or what lies where.
     nominal_radius : float
         Wheel radius at the running circle [m], 0.2 .. 1.
     back_to_back : float
@@ -83,7 +86,7 @@ def wheel_rail_model(
         ("rail_left", rail_left, "rail"),
         ("rail_right", rail_right, "rail"),
     ):
-        if profile.kind != kind:
+        if isinstance(profile, Profile) and profile.kind != kind:
             raise ValueError(
                 f"{label}: profile {profile.name!r} is of kind {profile.kind!r}, needed: {kind!r}"
             )
@@ -106,10 +109,8 @@ def wheel_rail_model(
     return WheelRailModel(
         wheel_left=spline_table(wheel_left, smoothing=smoothing),
         wheel_right=spline_table(wheel_right, smoothing=smoothing),
-        rail_left=spline_table(rail_left, smoothing=smoothing),
-        rail_right=spline_table(rail_right, smoothing=smoothing),
-        gauge_point_left=gauge_point(rail_left),
-        gauge_point_right=gauge_point(rail_right),
+        rails_left=rail_tables(_course(rail_left), smoothing),
+        rails_right=rail_tables(_course(rail_right), smoothing),
         running_circle_distance=0.5 * back_to_back + FLANGE_BACK_TO_RUNNING_CIRCLE,
         nominal_radius=float(nominal_radius),
         shear_modulus=material.shear_modulus,
@@ -120,6 +121,10 @@ def wheel_rail_model(
         cells_x=int(cells[0]),
         cells_y=int(cells[1]),
     )
+
+
+def _course(rail: Profile | RailCourse) -> RailCourse:
+    return rail if isinstance(rail, RailCourse) else RailCourse((rail,))
 
 
 @inlined_kernel
@@ -133,6 +138,7 @@ def wheel_rail_forces(
     rail_velocity: FloatArray,
     creep_lag: FloatArray,
     gauge: FloatArray,
+    arc_length: FloatArray,
     friction: FloatArray,
     wrench: FloatArray,
     rail_force: FloatArray,
@@ -161,6 +167,8 @@ def wheel_rail_forces(
         zero for steady rolling, else the lag of the creep force behind that velocity. The approach has none.
     gauge : FloatArray
         (n,) track gauge there [m].
+    arc_length : FloatArray
+        (n,) where the wheelsets are along the track [m].
     friction : FloatArray
         (n, 2) friction coefficient, left and right [-].
     wrench : FloatArray
@@ -185,10 +193,12 @@ def wheel_rail_forces(
         for s in range(2):
             if s == 0:
                 side = 1.0
-                wheel, rail, gauge_point_y = model.wheel_left, model.rail_left, model.gauge_point_left
+                wheel = model.wheel_left
+                rail, gauge_point_y = rail_at(model.rails_left, arc_length[i])
             else:
                 side = -1.0
-                wheel, rail, gauge_point_y = model.wheel_right, model.rail_right, model.gauge_point_right
+                wheel = model.wheel_right
+                rail, gauge_point_y = rail_at(model.rails_right, arc_length[i])
             rail_y = side * (0.5 * gauge[i] + gauge_point_y) + rail_displacement[i, s, 0]
             rail_z = rail_displacement[i, s, 1]
             if not _finite(position[i], axle[i], velocity[i], angular_velocity[i], rail_y + rail_z):

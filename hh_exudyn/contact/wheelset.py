@@ -306,6 +306,7 @@ def _solve(
         still,
         still,
         np.array([pose.gauge]),
+        np.zeros(1),
         np.full((1, 2), pose.friction),
         wrench,
         rail_force,

@@ -61,6 +61,7 @@ def evaluate(
         work.rail_velocity,
         work.creep_lag,
         work.gauge,
+        work.arc_length,
         model.friction,
         work.wrench,
         work.rail_force,

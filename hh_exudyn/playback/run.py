@@ -17,8 +17,8 @@ import trimesh
 
 from damage.material import ER7
 from hh_exudyn.case import Case
-from hh_exudyn.contact.profile import Profile
-from hh_exudyn.conventions import LEFT
+from hh_exudyn.contact.rail_tables import RailCourse
+from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.log.store import Run
 from hh_exudyn.playback.dimensions import wagon_dimensions
 from hh_exudyn.playback.frames import FloatArray, Poses, moving_frame, relative
@@ -38,7 +38,6 @@ from hh_exudyn.playback.shapes import wagon_shapes
 from hh_exudyn.playback.track_shapes import pieces
 from hh_exudyn.playback.wheels import wheel_rows
 from track.alignment import Alignment
-from track.rails import Rails
 from vehicles.catalogue import vehicle as described_vehicle
 
 APPLICATION = "hh_exudyn"
@@ -57,15 +56,15 @@ class Scene:
     alignment
         Of the track that was run on.
     rail_left, rail_right
-        Rail profiles.
+        Rail profiles along the track.
     shear_yield
         Yield strength in pure shear k of the wheel, for fatigue index and shakedown diagram [Pa].
     """
 
     shapes: Mapping[str, trimesh.Trimesh]
     alignment: Alignment
-    rail_left: Profile
-    rail_right: Profile
+    rail_left: RailCourse
+    rail_right: RailCourse
     shear_yield: float = ER7.shear_yield
 
 
@@ -79,8 +78,7 @@ def scene(case: Case) -> Scene:
     """
     tread = np.column_stack([case.wheel.y, case.wheel.z])
     shapes = wagon_shapes(wagon_dimensions(described_vehicle(case.vehicle)), tread)
-    rails = Rails(case.track.rail, case.track.rail, case.track.rail_inclination)
-    return Scene(shapes, case.alignment(), rails.left_profile(), rails.right_profile())
+    return Scene(shapes, case.alignment(), case.track.rail_course(LEFT), case.track.rail_course(RIGHT))
 
 
 def record(run: Run, path: Path | str, *, every: int = 1, vehicle: int = 1) -> Path:

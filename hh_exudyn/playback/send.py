@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from damage.shakedown import point_contact_limit
-from hh_exudyn.contact.profile import Profile
+from hh_exudyn.contact.rail_tables import RailCourse
 from hh_exudyn.playback.frames import FloatArray, Poses, relative
 from hh_exudyn.playback.layout import FRICTION_SCALE, LARGEST_FRICTION, LARGEST_PRESSURE
 from hh_exudyn.playback.meshes import shaded
@@ -81,7 +81,7 @@ def send_contact(
     when: Clock,
     wheel: WheelRows,
     alignment: Alignment,
-    rail: Profile,
+    rail: RailCourse,
     frame: Poses,
 ) -> None:
     """Forces on a wheel as arrows and its patches as discs, in the moving frame (n poses)."""

@@ -9,7 +9,8 @@ import numpy as np
 import trimesh
 from scipy.spatial.transform import Rotation
 
-from hh_exudyn.contact.profile import Profile, gauge_point
+from hh_exudyn.contact.profile import Profile
+from hh_exudyn.contact.rail_tables import RailCourse
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.playback.frames import FloatArray, Poses, TrackFrames, relative, single, track_frames, upright
 from hh_exudyn.playback.meshes import Colour, box, joined, loft, resampled
@@ -24,6 +25,7 @@ GROUND: Colour = (132, 140, 112)
 
 PIECE = 50.0  # length of one piece of track [m]
 SLEEPER_SPACING = 0.6  # [m]
+CHANGE_STATIONS = 9  # at which the change from rail to rail is drawn
 SAGITTA = 0.5e-3  # of a swept rail against the curve [m]
 RAIL_HEIGHT = 0.172  # 60E1, EN 13674-1 [m]
 FOOT_HALF_WIDTH = 0.075
@@ -41,7 +43,7 @@ class Piece(NamedTuple):
 
 
 def pieces(
-    alignment: Alignment, rail_left: Profile, rail_right: Profile, first: float, last: float
+    alignment: Alignment, rail_left: RailCourse, rail_right: RailCourse, first: float, last: float
 ) -> Iterator[Piece]:
     """The track between two arc lengths [m], cut to where there is track, piece by piece.
 
@@ -56,11 +58,10 @@ def pieces(
             f"no track from s = {first} to {last} m; there is from {alignment.table.start:g} m "
             f"to {alignment.table.end:g} m"
         )
-    sections = {LEFT: rail_section(rail_left), RIGHT: rail_section(rail_right)}
-    points = {LEFT: gauge_point(rail_left), RIGHT: gauge_point(rail_right)}
+    rails = {LEFT: rail_left, RIGHT: rail_right}
     ends = np.append(np.arange(start, end, PIECE), end)
     for low, high in pairwise(ends):
-        yield _piece(alignment, sections, points, float(low), float(high))
+        yield _piece(alignment, rails, float(low), float(high))
 
 
 def rail_section(head: Profile) -> FloatArray:
@@ -98,14 +99,13 @@ def sleeper() -> trimesh.Trimesh:
     return joined(parts)
 
 
-def _piece(
-    alignment: Alignment, sections: dict[int, FloatArray], points: dict[int, float], low: float, high: float
-) -> Piece:
+def _piece(alignment: Alignment, rails: dict[int, RailCourse], low: float, high: float) -> Piece:
     """One piece of track from s = low to high."""
-    frames = _stations(alignment, low, high)
+    s = _stations(alignment, rails, low, high)
+    frames = track_frames(alignment, s)
     origin = single(frames.origin[len(frames.gauge) // 2])
-    rails = [
-        _swept(frames, origin, _placed(sections[side], points[side], side, frames.gauge), RAIL, RUNNING_BAND)
+    swept = [
+        _swept(frames, origin, _placed(rails[side], s, side, frames.gauge), RAIL, RUNNING_BAND)
         for side in (LEFT, RIGHT)
     ]
     number = np.arange(math.ceil(low / SLEEPER_SPACING), math.ceil(high / SLEEPER_SPACING))
@@ -115,25 +115,36 @@ def _piece(
         Poses(under.origin, under.rotation),
         Poses(np.broadcast_to(origin, under.origin.shape), Rotation.identity(len(seats))),
     )
-    return Piece(origin, joined(rails), _bed(frames, origin), sleepers)
+    return Piece(origin, joined(swept), _bed(frames, origin), sleepers)
 
 
-def _stations(alignment: Alignment, low: float, high: float) -> TrackFrames:
-    """Track frames along a piece, as many as the curve asks for."""
+def _stations(alignment: Alignment, rails: dict[int, RailCourse], low: float, high: float) -> FloatArray:
+    """Arc lengths along a piece, as many as the curve and the changes of its rails ask for."""
+    changes = [
+        change + rail.change_length * np.linspace(-0.5, 0.5, CHANGE_STATIONS)
+        for rail in rails.values()
+        for change in rail.changes
+    ]
+    at_changes = np.concatenate([np.empty(0), *changes])
+    at_changes = at_changes[(at_changes > low) & (at_changes < high)]
     count = 5
     while True:
-        frames = track_frames(alignment, np.linspace(low, high, 2 * count + 1))
+        s = np.linspace(low, high, 2 * count + 1)
+        frames = track_frames(alignment, s)
         middle = 0.5 * (frames.origin[0:-2:2] + frames.origin[2::2])
         if np.linalg.norm(middle - frames.origin[1::2], axis=1).max() < SAGITTA or count >= 320:
-            return TrackFrames(frames.origin[::2], frames.rotation[::2], frames.gauge[::2])
+            return np.union1d(s[::2], at_changes)
         count *= 2
 
 
-def _placed(section: FloatArray, point: float, side: int, gauge: FloatArray) -> FloatArray:
+def _placed(rail: RailCourse, s: FloatArray, side: int, gauge: FloatArray) -> FloatArray:
     """(n, m, 3) the rail's outline in n track frames, its gauge point at half the gauge."""
-    outline = np.zeros((len(gauge), len(section), 3))
-    outline[:, :, 1] = side * (0.5 * gauge[:, None] + point - section[:, 0])
-    outline[:, :, 2] = section[:, 1]
+    sections = np.stack([rail_section(profile) for profile in rail.profiles])
+    sections[:, :, 0] -= rail.gauge_points()[:, None]
+    section = np.einsum("nk,kmi->nmi", rail.weights(s), sections)
+    outline = np.zeros((len(s), sections.shape[1], 3))
+    outline[:, :, 1] = side * (0.5 * gauge[:, None] - section[:, :, 0])
+    outline[:, :, 2] = section[:, :, 1]
     return outline
 
 

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from damage.rcf import surface_fatigue_index
 from damage.shakedown import working_point
-from hh_exudyn.contact.profile import Profile, gauge_point
+from hh_exudyn.contact.rail_tables import RailCourse
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.playback.frames import FloatArray, Poses, track_frames
 from track.alignment import Alignment
@@ -125,7 +125,7 @@ def diagram_points(wheel: WheelRows, shear_yield: float) -> tuple[FloatArray, Fl
     return working_point(rows["force_x"], rows["force_y"], rows["normal_force"], rows["p_max"], shear_yield)
 
 
-def contact_frames(wheel: WheelRows, alignment: Alignment, rail: Profile) -> Poses:
+def contact_frames(wheel: WheelRows, alignment: Alignment, rail: RailCourse) -> Poses:
     """The contact frames C of every patch in the global frame, their origins in the contact points.
 
     The rail lies with its gauge point at half the gauge from the centre line; x of C is taken along the
@@ -138,12 +138,16 @@ def contact_frames(wheel: WheelRows, alignment: Alignment, rail: Profile) -> Pos
     alignment
         Of the track.
     rail
-        Profile of the rail under this wheel.
+        Profiles of the rail under this wheel.
     """
     rows = wheel.columns
     track = track_frames(alignment, rows["s"])
-    y = wheel.side * (0.5 * track.gauge + gauge_point(rail) - rows["y_rail"])
-    local = np.column_stack([rows["x_shift"], y, np.interp(rows["y_rail"], rail.y, rail.z)])
+    weights, points = rail.weights(rows["s"]), rail.gauge_points()
+    from_gauge_point = weights @ points - rows["y_rail"]
+    z = np.zeros_like(from_gauge_point)
+    for profile, point, weight in zip(rail.profiles, points, weights.T, strict=True):
+        z += weight * np.interp(point - from_gauge_point, profile.y, profile.z)
+    local = np.column_stack([rows["x_shift"], wheel.side * (0.5 * track.gauge + from_gauge_point), z])
     # the flange lies inside: a positive contact angle leans the normal towards the track centre
     lean = Rotation.from_rotvec(np.outer(wheel.side * rows["contact_angle"], (1.0, 0.0, 0.0)))
     return Poses(track.origin + track.rotation.apply(local), track.rotation * lean)

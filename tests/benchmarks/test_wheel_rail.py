@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
+from hh_exudyn.contact.rail_tables import rail_at
 from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
 from hh_exudyn.contact.silhouette import wheel_rail_pair
 from hh_exudyn.contact.theories import FASTRIP, force_kernel
@@ -73,6 +74,7 @@ def many_wheelsets(
     angular_velocity: FloatArray,
     zero: FloatArray,
     gauge: FloatArray,
+    arc_length: FloatArray,
     friction: FloatArray,
     wrench: FloatArray,
     rail_force: FloatArray,
@@ -86,8 +88,8 @@ def many_wheelsets(
     for i in range(calls):
         position[:, 1] = centre + amplitude * math.sin(0.01 * i)
         wheel_rail_forces(
-            model, position, axle, velocity, angular_velocity, zero, zero, zero, gauge, friction,
-            wrench, rail_force, patches,
+            model, position, axle, velocity, angular_velocity, zero, zero, zero, gauge, arc_length,
+            friction, wrench, rail_force, patches,
         )  # fmt: skip
         for side in range(2):
             for patch in range(MAX_PATCHES):
@@ -123,7 +125,7 @@ def wheelset(place: str) -> tuple[tuple[Any, ...], FloatArray, float]:
     arguments = (
         model, np.tile([0.0, 0.0, RADIUS - depth], (n, 1)), axle, np.tile([20.0, 0.0, 0.0], (n, 1)),
         axle * 20.0 / RADIUS, np.zeros((n, 2, 2)), np.full(n, GAUGE - 2.0 * towards_rail),
-        np.full((n, 2), 0.4), np.zeros((n, 6)), np.zeros((n, 2, 2)), patches,
+        np.zeros(n), np.full((n, 2), 0.4), np.zeros((n, 6)), np.zeros((n, 2, 2)), patches,
     )  # fmt: skip
     return arguments, patches, amplitude
 
@@ -133,9 +135,10 @@ def test_search(benchmark: Callable[..., Any], place: str) -> None:
     """A thousand wheels."""
     arguments, _, amplitude = wheelset(place)
     model, position, axle, gauge = arguments[0], arguments[1][0], arguments[2][0], arguments[6][0]
-    rail_y = 0.5 * gauge + model.gauge_point_left
+    rail, gauge_point = rail_at(model.rails_left, 0.0)
+    rail_y = 0.5 * gauge + gauge_point
     rows = np.zeros((MAX_MINIMA, CONTACT_COLUMNS))
-    tables = model.wheel_left, model.rail_left
+    tables = model.wheel_left, rail
     many_searches(*tables, rail_y, position, axle, amplitude, rows, 1)
     assert benchmark(many_searches, *tables, rail_y, position, axle, amplitude, rows, CALLS) >= CALLS
 

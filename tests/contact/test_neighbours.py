@@ -9,6 +9,7 @@ from strip_bench import NU, RADIUS, G
 from hh_exudyn.contact.neighbours import find_patches
 from hh_exudyn.contact.non_elliptic import NORMAL_THEORIES, minimum, patch_strips
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
+from hh_exudyn.contact.rail_tables import rail_at
 from hh_exudyn.contact.search import APPROACH, CONTACT_COLUMNS, DEPTH, MAX_MINIMA, POINT, STIFFNESS
 from hh_exudyn.contact.silhouette import WheelRailPair, wheel_rail_pair
 from hh_exudyn.contact.strips import STRIP_COLUMNS
@@ -17,14 +18,15 @@ from hh_exudyn.contact.wheel_rail import wheel_rail_model
 STRIPS = ("analyn", "kik_piotrowski")
 WHEEL, RAIL = wheel_profile("S1002"), rail_profile("60E1", 1 / 40)
 MODEL = wheel_rail_model(WHEEL, WHEEL, RAIL, RAIL, nominal_radius=RADIUS)
+RAIL_TABLE, GAUGE_POINT = rail_at(MODEL.rails_left, 0.0)
 
 
 def wheel_at(y: float, height: float) -> WheelRailPair:
     """The left wheel, with 4 mrad of yaw."""
     return wheel_rail_pair(
-        MODEL.wheel_left, MODEL.rail_left, 1.0, MODEL.running_circle_distance, RADIUS,
+        MODEL.wheel_left, RAIL_TABLE, 1.0, MODEL.running_circle_distance, RADIUS,
         np.array([0.0, y, height]), np.array([-4e-3, math.sqrt(1 - 16e-6), 0.0]),
-        0.7175 + MODEL.gauge_point_left, 0.0,
+        0.7175 + GAUGE_POINT, 0.0,
     )  # fmt: skip
 
 

@@ -13,6 +13,7 @@ from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.non_elliptic import CURVATURE_FLOOR
 from hh_exudyn.contact.profile import Profile, rail_profile, wheel_profile
 from hh_exudyn.contact.profile_spline import spline_evaluate
+from hh_exudyn.contact.rail_tables import rail_at
 from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, Patch, WheelRailModel
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 
@@ -41,6 +42,7 @@ class State:
         self.rail_velocity = np.zeros((n, 2, 2))
         self.creep_lag = np.zeros((n, 2, 2))
         self.gauge = np.full(n, GAUGE)
+        self.arc_length = np.zeros(n)
         self.friction = np.full((n, 2), 0.3)
         self.wrench = np.full((n, 6), np.nan)  # the kernel must overwrite them
         self.rail_force = np.full((n, 2, 2), np.nan)
@@ -57,8 +59,8 @@ class State:
     def solve(self, contact_model: WheelRailModel = MODEL) -> "State":
         self.status = wheel_rail_forces(
             contact_model, self.position, self.axle, self.velocity, self.angular_velocity,
-            self.rail_displacement, self.rail_velocity, self.creep_lag, self.gauge, self.friction,
-            self.wrench, self.rail_force, self.patches,
+            self.rail_displacement, self.rail_velocity, self.creep_lag, self.gauge, self.arc_length,
+            self.friction, self.wrench, self.rail_force, self.patches,
         )  # fmt: skip
         return self
 
@@ -122,7 +124,7 @@ def test_static_normal_force_is_hertz(y: float) -> None:
         )  # fmt: skip
     (row,) = state.rows()
     _, wheel_slope, wheel_second = spline_evaluate(MODEL.wheel_left, row[Patch.Y_WHEEL])
-    _, rail_slope, rail_second = spline_evaluate(MODEL.rail_left, row[Patch.Y_RAIL])
+    _, rail_slope, rail_second = spline_evaluate(rail_at(MODEL.rails_left, 0.0)[0], row[Patch.Y_RAIL])
     assert wheel_slope == pytest.approx(rail_slope, abs=1e-6)  # parallel surfaces, no yaw or roll
     angle = math.atan(-rail_slope)
     assert row[Patch.CONTACT_ANGLE] == pytest.approx(angle, abs=1e-9)
@@ -184,7 +186,7 @@ def test_power_balance_and_geometry_of_the_wrench() -> None:
                 # The contact point from the wheel's own geometry: axial coordinate and radius
                 axle = state.axle[i]
                 t = sign * (distance - row[Patch.Y_WHEEL])
-                gauge_point = (MODEL.gauge_point_left, MODEL.gauge_point_right)[side]
+                gauge_point = rail_at((MODEL.rails_left, MODEL.rails_right)[side], 0.0)[1]
                 p_y = sign * (state.gauge[i] / 2 + gauge_point - row[Patch.Y_RAIL])
                 p_y += state.rail_displacement[i, side, 0] - state.position[i, 1]
                 p_x = row[Patch.X_SHIFT]

@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from hh_exudyn.case import Case
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
+from hh_exudyn.contact.rail_tables import RailCourse
 from hh_exudyn.log.schema import CONTACT, MOTION
 from hh_exudyn.playback.dimensions import WagonDimensions, wagon_dimensions
 from hh_exudyn.playback.frames import track_frames
@@ -96,7 +97,7 @@ def synthetic_run() -> Callable[..., SyntheticRun]:
         shapes = wagon_shapes(
             wagon_dimensions(vehicle("iore_wagon_loaded")), np.column_stack([wheel.y, wheel.z])
         )
-        rail = rail_profile("60E1")
+        rail = RailCourse((rail_profile("60E1"),))
         scene = Scene(shapes, alignment, rail, rail)
         return SyntheticRun(_motion(alignment, times, s), _contact(alignment, times, s), scene, times, s)
 

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 import trimesh
 
-from hh_exudyn.contact.profile import rail_profile, wheel_profile
+from hh_exudyn.contact.profile import Profile, gauge_point, rail_profile, wheel_profile
+from hh_exudyn.contact.rail_tables import RailCourse
 from hh_exudyn.playback.dimensions import WagonDimensions, wagon_dimensions
 from hh_exudyn.playback.meshes import box, shaded, turned
 from hh_exudyn.playback.shapes import wagon_shapes
@@ -115,7 +116,7 @@ def test_rails_lie_at_the_gauge_along_a_curve() -> None:
     """Everywhere the rails' inner faces, 14 mm below the top, are one gauge apart (to the swept chord)."""
     gauge = 1.445
     alignment = Alignment((Straight(40.0), Transition(60.0), Curve(100.0, 250.0, "right", 0.08, gauge)))
-    rail = rail_profile("60E1")
+    rail = RailCourse((rail_profile("60E1"),))
     piece = next(pieces(alignment, rail, rail, 120.0, 170.0))
     centre = np.array([0.0, -250.0, 0.0])
     local = Alignment((Curve(100.0, 250.0, "right", 0.0, gauge),))
@@ -131,7 +132,7 @@ def test_rails_lie_at_the_gauge_along_a_curve() -> None:
 
 def test_pieces_cover_the_way_and_keep_the_sleeper_spacing() -> None:
     alignment = Alignment((Straight(130.0),))
-    rail = rail_profile("60E1")
+    rail = RailCourse((rail_profile("60E1"),))
     parts = list(pieces(alignment, rail, rail, 3.0, 127.0))
     along = np.concatenate([part.sleepers.position[:, 0] + part.origin[0] for part in parts])
     np.testing.assert_allclose(np.diff(along), 0.6, atol=1e-9)
@@ -141,6 +142,30 @@ def test_pieces_cover_the_way_and_keep_the_sleeper_spacing() -> None:
 
 
 def test_track_outside_of_the_alignment_is_refused() -> None:
-    rail = rail_profile("60E1")
+    rail = RailCourse((rail_profile("60E1"),))
     with pytest.raises(ValueError, match="no track"):
         list(pieces(Alignment((Straight(50.0),)), rail, rail, 500.0, 600.0))
+
+
+def test_a_change_of_rails_is_drawn() -> None:
+    """The rail's head is ground off behind the change, on that side only; the piece stays closed."""
+    wide, ground = rail_profile("60E1"), rail_profile("MB1_like")
+    alignment = Alignment((Straight(130.0),))
+    piece = next(pieces(alignment, RailCourse((wide, ground), (30.0,)), RailCourse((wide,)), 10.0, 50.0))
+    assert piece.rails.is_watertight
+    points = np.asarray(piece.rails.vertices) + piece.origin
+
+    def corner(side: int, low: float, high: float) -> float:
+        """Height of the rails 5 mm off the gauge line, from its nearest points to both sides."""
+        inside = (points[:, 0] >= low) & (points[:, 0] <= high) & (points[:, 2] > -0.02)
+        y = side * points[inside, 1] - 0.7175
+        order = np.argsort(y)
+        return float(np.interp(0.005, y[order], points[inside, 2][order]))
+
+    def height(rail: Profile) -> float:
+        return float(np.interp(gauge_point(rail) - 0.005, rail.y, rail.z))
+
+    assert height(ground) < height(wide) - 1e-3
+    for side, low, high, rail in ((1, 0.0, 29.0, wide), (1, 31.0, 60.0, ground), (-1, 0.0, 60.0, wide)):
+        assert corner(side, low, high) == pytest.approx(height(rail), abs=3e-4)
+    assert height(ground) < corner(1, 29.9, 30.1) < height(wide)
