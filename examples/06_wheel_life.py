@@ -1,23 +1,19 @@
 """The life of an ore wagon's wheel on the iron-ore line: where it wears, and its profile over the distance.
 
-    python examples/06_wheel_life.py [FOLDER] [KM] [SECTIONS]
+    python examples/06_wheel_life.py FOLDER KM SECTIONS
 
-Each step runs the wagon, loaded and empty, over the SECTIONS (8) heaviest kinds of track, wears the
-wheel by the weighted mean of all wheels (naturally lubricated, root and flange greased) and goes on with the
-worn profile until KM (10). The same FOLDER is continued. Right-hand curves count as the
-mirror image of left-hand ones; friction, irregularity and where there is grease are assumed.
+Each step runs the wagon, loaded and empty, over the SECTIONS (try 8) heaviest kinds of track and wears the
+wheel by the weighted mean of all wheels, until KM; called again it goes on. Curves are left-hand ones.
 """
 
-import operator
+import shutil
 import sys
-import tempfile
-from functools import reduce
 from pathlib import Path
 
 import numpy as np
 import pyarrow.compute as pc
 
-from damage.evolution.loop import StepControl, evolve
+from damage.evolution.loop import evolve
 from damage.evolution.profile_wear import ProfileWear, mean_wear
 from damage.figures.evolution import measures_figure, profiles_figure
 from damage.report import assess
@@ -29,50 +25,35 @@ from hh_exudyn.log.store import open_run
 from hh_exudyn.multibody.simulate import simulate
 from track.line import load_sections, read_line
 
-FOLDER = Path(sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="wheel-life-"))
-SECTIONS = int(sys.argv[3]) if len(sys.argv) > 3 else 8
+FOLDER, KM, SECTIONS = Path(sys.argv[1]), float(sys.argv[2]), int(sys.argv[3])
 TRACK = TrackCase(sections=(StraightCase(length_m=150, gauge_mm=1437),), irregularity="erri_low")
-GREASED = 0.020  # m on the profile, from where on towards the flange the wear coefficient is 1/100, else 1/6
+BASE = Case(name="life", speed_km_h=60, friction=0.35, track=TRACK)  # friction and irregularity: assumed
 
 
 def wear_of(wheel: Profile) -> ProfileWear:
-    folder, parts = FOLDER / wheel.name.replace(" ", "_"), []
-    folder.mkdir(parents=True, exist_ok=True)
-    write_profile(wheel, folder / "wheel.txt")
+    parts, file = [], FOLDER / f"{wheel.name}.txt"
+    write_profile(wheel, file)
     for vehicle in ("iore_wagon_loaded", "iore_wagon_empty"):
-        base = Case(name=vehicle, vehicle=vehicle, speed_km_h=60, friction=0.35, track=TRACK)
-        base = base.with_changes(wheel_profile=str(folder / "wheel.txt"))
-        kinds = [
-            s for s in load_sections(read_line("malmbanan"), vehicle, quality="QN1") if s.hand != "right"
-        ]
-        share = {kind: kind.weight * (1 if kind.hand == "straight" else 2) for kind in kinds}
-        for section in sorted(kinds, key=lambda kind: -share[kind])[:SECTIONS]:
-            run = folder / vehicle / section_name(section)
+        case = BASE.with_changes(vehicle=vehicle, wheel_profile=str(file))
+        line = load_sections(read_line("malmbanan"), vehicle, quality="QN1")
+        share = {kind: kind.weight * (1 + (kind.hand == "left")) for kind in line if kind.hand != "right"}
+        for kind in sorted(share, key=lambda kind: -share[kind])[:SECTIONS]:
+            run = FOLDER / wheel.name / vehicle / section_name(kind)
             if not (run.is_dir() and open_run(run).status["finished"]):
-                simulate(case_on(base, section, length=150.0, approach=30.0), run)
+                shutil.rmtree(run, ignore_errors=True)
+                simulate(case_on(case, kind, length=150.0, approach=30.0), run)
             log = open_run(run).contact()
-            log = log.filter(pc.greater(log["time"], pc.max(log["time"]).as_py() - 80.0 / section.speed))
-            surface = assess(log, cells=(32, 16), profile=wheel).surface
-            parts.append(share[section] * surface.scaled(1.0))
-    dry = mean_wear(reduce(operator.add, parts))
-    return ProfileWear(dry.y, dry.depth_per_km / np.where(dry.y > GREASED, 100.0, 6.0))
-
-
-def main() -> None:
-    wheel, start = wheel_profile("WP4_like"), FOLDER / "steps"
-    history = evolve(
-        wheel, 0.4575, wear_of, 1e3 * float(sys.argv[2] if len(sys.argv) > 2 else 10.0), start,
-        StepControl(max_distance=10e6), progress=lambda done, text: print(f"{done:4.0%} {text}"),
-    )  # fmt: skip
-    wear = wear_of(wheel)  # from the runs that are there now
-    for name, low, high in (("running circle", -5e-3, 5e-3), ("tread", -0.04, 0.02), ("flange", 0.02, 0.06)):
-        depth = wear.depth_per_km[(wear.y >= low) & (wear.y <= high)] * 1e9
-        print(f"new wheel, {name}: mean {depth.mean():.1f}, largest {depth.max():.1f} um per 1000 km")
-    for row in history.to_table().to_pylist():
-        print("  ".join(f"{key} {value:.2f}" for key, value in row.items()))
-    profiles_figure(history).savefig(FOLDER / "profiles.png", dpi=150)
-    measures_figure(history).savefig(FOLDER / "measures.png", dpi=150)
+            end = log.filter(pc.greater(log["time"], pc.max(log["time"]).as_py() - 80.0 / kind.speed))
+            parts.append(share[kind] * assess(end, cells=(32, 16), profile=wheel).surface.scaled(1.0))
+    dry = mean_wear(sum(parts[1:], parts[0]))
+    wear = ProfileWear(dry.y, dry.depth_per_km / np.where(dry.y > 0.020, 100.0, 6.0))  # greased; lubricated
+    for place, low, high in (("circle", -0.005, 0.005), ("tread", -0.04, 0.02), ("flange", 0.02, 0.06)):
+        print(f"{wheel.name}, {place}: {1e9 * wear.at(np.linspace(low, high, 99)).max():.1f} um per 1000 km")
+    return wear
 
 
 if __name__ == "__main__":
-    main()
+    history = evolve(wheel_profile("WP4_like"), 0.4575, wear_of, 1e3 * KM, FOLDER / "steps")
+    print("\n".join(f"{name} {value:.3f}" for name, value in history.to_table().to_pylist()[-1].items()))
+    for name, draw in (("profiles", profiles_figure), ("measures", measures_figure)):
+        draw(history).savefig(FOLDER / f"{name}.png", dpi=150)

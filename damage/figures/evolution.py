@@ -29,8 +29,8 @@ def profiles_figure(history: WearHistory) -> Figure:
     The profiles lie as on the axle: the first one's running circle is at z = 0. The depth is that of each
     profile below the first one, measured along the first one's normals.
     """
-    figure = Figure(figsize=(7.0, 5.2), layout="constrained")
-    above, below = figure.subplots(2, 1, sharex=True, height_ratios=(3, 2))
+    figure = Figure(figsize=(7.0, 4.2), layout="constrained")
+    above, below = figure.subplots(2, 1, sharex=True, height_ratios=(1, 1))
     shown = _shown(history)
     first = history.steps[0]
     scale = Normalize(0.0, max(1e-3 * history.last.distance, 1.0))
@@ -65,8 +65,8 @@ def measures_figure(history: WearHistory) -> Figure:
         axes.set_title(title, fontsize=8, loc="left", pad=3)
         axes.ticklabel_format(axis="y", useOffset=False)
         if np.ptp(values) < 1e-3:  # a measure that does not change: no axis full of rounding
-            middle = float(np.mean(values))
-            axes.set_ylim(middle - 0.01, middle + 0.01)
+            low = max(float(np.mean(values)) - 0.01, 0.0)
+            axes.set_ylim(low, low + 0.02)
         _finish(axes)
     figure.supxlabel("distance [km]", fontsize=9)
     return figure

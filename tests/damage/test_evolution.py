@@ -62,7 +62,7 @@ def test_a_life_of_150000_km(tmp_path: Path) -> None:
     lost = depth * math.hypot(1.0, slope)
     assert first.diameter - last.diameter == pytest.approx(2.0 * lost, abs=1e-6)
     assert last.flange_height - first.flange_height == pytest.approx(lost - depth, abs=1e-6)
-    # Sd is read in the root R15, whose centre stays and whose radius grows, at a level that rises with the tread
+    # Sd is read in the root R15: its centre stays, its radius grows, the level rises with the tread
     y, z = 0.070 - first.flange_thickness, -0.010
     angle = math.atan(-float(np.interp(y, WP4.y, np.gradient(WP4.z, WP4.y))))
     centre_y, centre_z = y - 0.015 * math.sin(angle), z - 0.015 * math.cos(angle)
