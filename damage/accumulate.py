@@ -31,7 +31,7 @@ from damage.rcf_number import Bins
 from damage.wear.energy import wear_number
 from damage.wheel_surface import FLANGE, TREAD, Wheel, WheelSurface
 
-BLOCK_ROWS = 500  # rows of a block: some milliseconds of work; the sums depend on it in the last digits
+BLOCK_ROWS = 2500  # rows of a block: some 50 ms of work; the sums depend on it in the last digits
 
 
 def accumulate(
@@ -185,8 +185,11 @@ def _chunk_sums(
 def _wheels(chunk: Chunk) -> tuple[tuple[Wheel, ...], NDArray[np.int64]]:
     """The wheels of a chunk, sorted, and for each row the index of its wheel."""
     names = np.column_stack([chunk[name] for name in Wheel._fields]).astype(np.int64)
-    unique, place = np.unique(names, axis=0, return_inverse=True)
-    return tuple(Wheel(*row) for row in unique.tolist()), place.astype(np.int64)
+    lowest = names.min(axis=0, initial=0)
+    spans = names.max(axis=0, initial=0) - lowest + 1
+    keys = np.ravel_multi_index(tuple((names - lowest).T), tuple(spans))  # one number sorts faster than four
+    _, first, place = np.unique(keys, return_index=True, return_inverse=True)
+    return tuple(Wheel(*row) for row in names[first].tolist()), place.astype(np.int64)
 
 
 def _check_on_grid(chunk: Chunk, model: DamageModel) -> None:

@@ -77,8 +77,9 @@ def _file_batches(files: list[Path], columns: Sequence[str], rows: int) -> Itera
             raise ValueError(f"{path} cannot be read as Parquet: {error}") from None
         with file:
             _require(str(path), file.schema_arrow.names, columns)
-            for batch in file.iter_batches(batch_size=rows, columns=list(columns)):
-                yield batch.select(list(columns))
+            for group in range(file.num_row_groups):  # asked for all at once, it keeps what it has read
+                for batch in file.iter_batches(rows, row_groups=[group], columns=list(columns)):
+                    yield batch.select(list(columns))
 
 
 def _require(where: str, there: Sequence[str], wanted: Sequence[str]) -> None:

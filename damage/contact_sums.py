@@ -47,6 +47,7 @@ class Sums(NamedTuple):
     worn_volume: FloatArray  # (REGIMES,)
     contact_time: FloatArray  # (2, B)
     fatigue_time: FloatArray  # (2, B)
+    contact_revolutions: FloatArray  # (2, B)
     fatigue_revolutions: FloatArray  # (2, B)
     ratchet_revolutions: FloatArray  # (2, B)
     crack_damage: FloatArray  # (2, B)
@@ -102,6 +103,7 @@ def add_states(states: States, solving: Solving, work: Work, sums: Sums) -> None
         rolled = speed * interval
         revolutions = rolled / (2.0 * math.pi * radius)
         spread(position, 2.0 * b * stretch, interval, start, step, sums.contact_time[part])
+        spread(position, 2.0 * b * stretch, revolutions, start, step, sums.contact_revolutions[part])
         if states.fatigue_index[row] > 0.0:
             spread(position, 2.0 * b * stretch, interval, start, step, sums.fatigue_time[part])
             spread(position, 2.0 * b * stretch, revolutions, start, step, sums.fatigue_revolutions[part])
@@ -116,8 +118,8 @@ def add_states(states: States, solving: Solving, work: Work, sums: Sums) -> None
         strip_indices(work.fields, solving.shear_yield, work.stress_index, work.fatigue_index)
         across = -states.side[row] * stretch
         count_patch(
-            patch, work.fields, solving.shear_yield, solving.limits, position, across, revolutions,
-            solving.bins, work.counting,
+            patch, work.fields, work.stress_index, solving.shear_yield, solving.limits, position, across,
+            revolutions, solving.bins, work.counting,
             Counts(sums.rcf_number[part], sums.corrected_rcf_number[part], sums.energy[part]),
         )  # fmt: skip
         _add_strips(b, stretch, position, across, revolutions, rolled, start, step, part, work, sums)
@@ -140,18 +142,21 @@ def _add_strips(
     """Add what is known of every strip of a patch: its wear and its largest indices."""
     cells_y = work.depth.shape[0]
     width = 2.0 * b / cells_y
+    half = 0.5 * width * stretch / step
     for strip in range(cells_y):
-        place = position + across * b * (-1.0 + (2 * strip + 1) / cells_y)
         depth = 0.0
         for regime in range(REGIMES):
             depth += work.depth[strip, regime]
             sums.worn_volume[regime] += work.depth[strip, regime] * width * rolled
-        if depth != 0.0:
-            depth *= revolutions
-            spread(place, width * stretch, depth, start, step, sums.depth)
+        depth *= revolutions
+        ratchets = revolutions if work.stress_index[strip] > 0.0 else 0.0
+        damage = kabo_damage(work.fatigue_index[strip]) * revolutions
+        middle = (position + across * b * (-1.0 + (2 * strip + 1) / cells_y) - start) / step
+        low, high = middle - half, middle + half
+        for place in range(max(int(low), 0), min(int(high), sums.depth.size - 1) + 1):
+            covered = min(high, place + 1.0) - max(low, float(place))
+            sums.depth[place] += depth * covered
             # the depth is normal to the surface, which is wider than its shadow on the lateral coordinate
-            spread(place, width * stretch, depth * step / stretch, start, step, sums.worn_area)
-        if work.stress_index[strip] > 0.0:
-            spread(place, width * stretch, revolutions, start, step, sums.ratchet_revolutions[part])
-            damage = kabo_damage(work.fatigue_index[strip]) * revolutions
-            spread(place, width * stretch, damage, start, step, sums.crack_damage[part])
+            sums.worn_area[place] += depth * covered * step / stretch
+            sums.ratchet_revolutions[part, place] += ratchets * covered
+            sums.crack_damage[part, place] += damage * covered

@@ -27,25 +27,30 @@ from hh_exudyn.contact.theories import FIELD_THEORIES, THEORIES, field_kernel
 from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
 from hh_exudyn.kernel import kernel
 
+_ROUNDED_UP = 1.0 + 1e-14  # so that a cell does not exceed itself by rounding
+
 
 @dataclass(frozen=True)
 class LocalFatigue:
-    """Largest local indices of every strip of a batch of contact states, arrays (n, strips).
+    """Largest local indices of every strip of a batch of contact states.
 
     Attributes
     ----------
     y
-        Middle of the strips, lateral from the contact's place in the contact frame, to the left [m]. On the
-        wheel profile it lies at y_wheel - side y cos(contact_angle).
+        (n, strips), as what follows: middle of the strips, lateral from the contact's place in the contact
+        frame, to the left [m]. On the wheel profile it lies at y_wheel - side y cos(contact_angle).
     stress_index
         Largest SI [Pa], >= -k; -k where nothing is transmitted.
     fatigue_index
         Largest FI_local [-]; -infinity where there is no pressure.
+    width
+        (n,) width of the strips of each state [m].
     """
 
     y: FloatArray
     stress_index: FloatArray
     fatigue_index: FloatArray
+    width: FloatArray
 
     def to_table(self) -> pyarrow.Table:
         """One row per state and strip: state, strip (from 0), y_m, stress_index_Pa, fatigue_index."""
@@ -80,18 +85,24 @@ def strip_indices(
     stressed, worst = cells_x // 2, cells_x // 2  # cells with the largest of the strip before
     for strip in range(cells_y):
         pressure, q_x, q_y = fields.pressure[strip], fields.q_x[strip], fields.q_y[strip]
-        most = q_x[stressed] ** 2 + q_y[stressed] ** 2
-        best = -math.inf
-        if pressure[worst] > 0.0:
-            best = (math.sqrt(q_x[worst] ** 2 + q_y[worst] ** 2) - shear_yield) / pressure[worst]
-        # Neighbouring strips are alike: often no other cell has more, which a sum of comparisons tells fast.
+        most, best = 0.0, -math.inf
+        for cell in range(max(stressed - 1, 0), min(stressed + 2, cells_x)):
+            square = q_x[cell] * q_x[cell] + q_y[cell] * q_y[cell]
+            if square > most:
+                most, stressed = square, cell
+        for cell in range(max(worst - 1, 0), min(worst + 2, cells_x)):
+            square = q_x[cell] * q_x[cell] + q_y[cell] * q_y[cell]
+            index = (math.sqrt(square) - shear_yield) / pressure[cell]  # (3.17)
+            if index > best and pressure[cell] > 0.0:
+                best, worst = index, cell
+        # Neighbouring strips are alike: mostly no other cell has more, which a sum of comparisons tells fast.
         # (|q| - k)/p > best without root and division: needed may be below zero, then every |q| is more
         more = 0
         for cell in range(cells_x):
             square = q_x[cell] * q_x[cell] + q_y[cell] * q_y[cell]
             needed = shear_yield + best * pressure[cell]
             more += 1 if square > most else 0
-            more += 1 if square > needed * abs(needed) else 0
+            more += 1 if square > _ROUNDED_UP * needed * abs(needed) else 0
         if more > 0:
             for cell in range(cells_x):
                 square = q_x[cell] * q_x[cell] + q_y[cell] * q_y[cell]
@@ -187,7 +198,8 @@ def local_indices(
         THEORIES[theory], states, material.elastic.shear_modulus, material.elastic.poisson_ratio,
         material.shear_yield, Fields(*np.zeros((5, ny, nx))), stress_index, fatigue_index,
     )  # fmt: skip
-    return LocalFatigue(states[:, 1:2] * _strip_middles(ny), stress_index, fatigue_index)
+    b_of = states[:, 1]
+    return LocalFatigue(b_of[:, None] * _strip_middles(ny), stress_index, fatigue_index, 2.0 * b_of / ny)
 
 
 def distributed_index(

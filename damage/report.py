@@ -23,6 +23,17 @@ from hh_exudyn.contact.profile import Profile
 DRY_ARCHARD = archard()
 
 
+def _of_parts(surface: WheelSurface, burstow: bool) -> dict[str, NDArray[np.float64]]:
+    """The largest RCF numbers and crack damage of every wheel, (W,): on the tread, on the flange."""
+    table = {}
+    for part, prefix in ((TREAD, ""), (FLANGE, "flange_")):
+        table[f"{prefix}rcf_number"] = surface.rcf_number[:, part].max(axis=(1, 2))
+        if burstow:
+            table[f"{prefix}corrected_rcf_number"] = surface.corrected_rcf_number[:, part].max(axis=(1, 2))
+        table[f"{prefix}crack_damage"] = surface.crack_damage[:, part].max(axis=1)
+    return table
+
+
 @dataclass(frozen=True)
 class DamageReport:
     """Damage of the wheels of a run, and what it was computed with.
@@ -58,7 +69,6 @@ class DamageReport:
         wheels = np.array(surface.wheels, dtype=np.int32).reshape(-1, 4)
         depth = surface.depth_per_km
         volume = surface.worn_volume.sum(axis=1)
-        per_km = 1e3 / surface.distance
         table: dict[str, NDArray[np.generic]] = {
             "vehicle": wheels[:, 0],
             "bogie": wheels[:, 1],
@@ -74,19 +84,40 @@ class DamageReport:
             "wear_y_mm": surface.grid.lateral[depth.argmax(axis=1)] * 1e3,
             "worn_area_mm2_per_km": surface.worn_area_per_km * 1e6,
         }
-        for part, prefix in ((TREAD, ""), (FLANGE, "flange_")):
-            for name, values in (
-                ("rcf_number", surface.rcf_number),
-                ("corrected_rcf_number", surface.corrected_rcf_number),
-            ):
-                if values is surface.rcf_number or self.model.burstow is not None:
-                    table[f"{prefix}{name}_per_km"] = values[:, part].max(axis=(1, 2)) * per_km
-            table[f"{prefix}crack_damage_per_km"] = surface.crack_damage[:, part].max(axis=1) * per_km
+        for name, values in _of_parts(surface, self.model.burstow is not None).items():
+            table[f"{name}_per_km"] = values * 1e3 / surface.distance
         for column, regime in enumerate(self.model.law.regimes):
             name = f"wear_{'_'.join(regime.replace(',', '').split())}_share"
             worn = surface.worn_volume[:, column]
             table[name] = np.divide(worn, volume, out=np.zeros_like(volume), where=volume > 0.0)
         return pyarrow.table(table)
+
+    def distance_table(self, distance: float) -> pyarrow.Table:
+        """What the wheels have after a distance of the same rolling, one row per wheel.
+
+        Parameters
+        ----------
+        distance
+            Rolled in all [m], > 0.
+
+        Raises
+        ------
+        ValueError
+            The distance is not finite and above zero.
+        """
+        if not distance > 0.0:
+            raise ValueError(f"distance = {distance} m must be finite and > 0 m")
+        surface = self.surface.scaled(distance)
+        wheels = np.array(surface.wheels, dtype=np.int32).reshape(-1, 4)
+        table: dict[str, NDArray[np.generic]] = {
+            "vehicle": wheels[:, 0],
+            "wheelset": wheels[:, 2],
+            "side": wheels[:, 3],
+            "distance_km": np.full(len(wheels), distance * 1e-3),
+            "wear_depth_mm": surface.depth.max(axis=1) * 1e3,
+            "worn_area_mm2": surface.worn_area.sum(axis=1) * 1e6,
+        }
+        return pyarrow.table(table | _of_parts(surface, self.model.burstow is not None))
 
 
 def assess(

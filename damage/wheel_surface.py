@@ -61,6 +61,8 @@ class WheelSurface:
         a wheel overlap, both count.
     fatigue_time
         (W, 2, B) time that the bin lay in a patch with a fatigue index FI_surf above zero [s].
+    contact_revolutions
+        (W, 2, B) revolutions in which the bin was in contact [-].
     fatigue_revolutions
         (W, 2, B) revolutions in which the bin lay in a patch with FI_surf above zero [-].
     ratchet_revolutions
@@ -98,6 +100,7 @@ class WheelSurface:
     worn_volume: NDArray[np.float64]
     contact_time: NDArray[np.float64]
     fatigue_time: NDArray[np.float64]
+    contact_revolutions: NDArray[np.float64]
     fatigue_revolutions: NDArray[np.float64]
     ratchet_revolutions: NDArray[np.float64]
     crack_damage: NDArray[np.float64]
@@ -129,6 +132,7 @@ class WheelSurface:
             worn_volume=np.zeros((count, REGIMES)),
             contact_time=np.zeros((count, 2, bins)),
             fatigue_time=np.zeros((count, 2, bins)),
+            contact_revolutions=np.zeros((count, 2, bins)),
             fatigue_revolutions=np.zeros((count, 2, bins)),
             ratchet_revolutions=np.zeros((count, 2, bins)),
             crack_damage=np.zeros((count, 2, bins)),

@@ -1,7 +1,7 @@
 """The command ``hh-exudyn``: run a case, demo, damage, playback. It knows everything and computes nothing.
 
-The commands about one contact stand in `cli_contact`, those about track in `cli_track`, what all commands
-share in `cli_output`.
+The commands about one contact stand in `cli_contact`, those about track in `cli_track`, damage in
+`cli_damage`, what all commands share in `cli_output`.
 
 =========  ==================================================================================
 exit code  meaning
@@ -27,7 +27,8 @@ import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from hh_exudyn import __version__, cli_contact, cli_track
+from hh_exudyn import __version__, cli_contact, cli_damage, cli_track
+from hh_exudyn.cli_damage import opened, show_damage
 from hh_exudyn.cli_output import (
     INTERRUPTED,
     STOPPED,
@@ -38,12 +39,11 @@ from hh_exudyn.cli_output import (
     new_table,
     out,
     print_table,
+    require_new_folder,
     told,
 )
 
 if TYPE_CHECKING:
-    import pyarrow
-
     from damage.summary import WheelsetSummary
     from hh_exudyn.case import Case
     from hh_exudyn.log.store import Run
@@ -58,6 +58,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 cli_contact.register(app)
+cli_damage.register(app)
 cli_track.register(app)
 
 NewFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="New or empty folder for the run.")]
@@ -95,7 +96,7 @@ def run(
     with told(out_folder):
         from hh_exudyn.case import read_case
 
-        _require_new(out_folder)
+        require_new_folder(out_folder)
         _show_run(_simulated(read_case(case), out_folder))
 
 
@@ -105,26 +106,11 @@ def demo(out_folder: NewFolder) -> None:
     with told(out_folder):
         from hh_exudyn.case import Case
 
-        _require_new(out_folder)
+        require_new_folder(out_folder)
         text = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text(encoding="utf-8")
         done = _simulated(Case.from_toml(text, source="demo.toml"), out_folder)
         _show_run(done)
-        _show_damage(done, out_folder / "damage")
-
-
-@app.command()
-def damage(
-    folder: RunFolder,
-    out_folder: Annotated[
-        Path | None,
-        typer.Option("--out", metavar="DIR", help="New or empty folder; without, DIR/damage of the run."),
-    ] = None,
-) -> None:
-    """Wear and rolling contact fatigue of a run's wheels, from its contact log: a table and figures."""
-    with told(folder):
-        if out_folder is not None:
-            _require_new(out_folder)
-        _show_damage(_opened(folder), out_folder or folder / "damage")
+        show_damage(done, out_folder / "damage")
 
 
 @app.command()
@@ -137,7 +123,7 @@ def playback(
 ) -> None:
     """Play a run in the rerun viewer, or save its recording."""
     with told(folder):
-        done = _opened(folder)
+        done = opened(folder)
         if save is not None:
             if save.exists():
                 raise Refused(f"--save {save}: exists already, allowed is a new file")
@@ -186,45 +172,6 @@ def _record(done: "Run", path: Path) -> None:
     out.print(f"recording: {path}")
 
 
-def _show_damage(done: "Run", folder: Path) -> None:
-    """Print the damage table and write table and figures."""
-    import pyarrow.csv
-
-    from damage.figures.profile_panels import fatigue_figure, wear_figure
-    from damage.figures.working_points import shakedown_figure
-    from damage.report import assess
-    from hh_exudyn.case import Case
-
-    with err.status("damage"):
-        report = assess(done)
-    wheel = Case.from_toml(done.case_text, source=f"{done.directory}/case.toml").wheel
-    figures = {
-        "wear.png": wear_figure(report, wheel),
-        "fatigue.png": fatigue_figure(report, wheel),
-        "shakedown.png": shakedown_figure(done),
-    }
-    table = report.to_table()
-    folder.mkdir(parents=True, exist_ok=True)
-    pyarrow.csv.write_csv(table, folder / "damage.csv")
-    for name, figure in figures.items():
-        figure.savefig(folder / name, dpi=150)
-    print_table(_damage_table(table))
-    out.print(f"damage: {folder} ({', '.join(['damage.csv', *figures])})")
-
-
-def _opened(folder: Path) -> "Run":
-    """The run in a folder, with at least one contact log row to look at."""
-    from hh_exudyn.log.store import open_run
-
-    try:
-        done = open_run(folder)
-        if done.read("contact", ["time"]).num_rows == 0:
-            raise Refused(f"{folder}: the contact log has no rows")
-    except (FileNotFoundError, ValueError) as error:
-        raise Refused(str(error)) from None
-    return done
-
-
 def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) -> Table:
     """The summary with units, a line per wheel; what belongs to the wheelset stands in its first line."""
     table = new_table(
@@ -246,40 +193,6 @@ def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) 
                 f"{row.fatigue_share[i] * 100:.0f}",
             )
     return table
-
-
-DAMAGE_COLUMNS = {  # column of the report: heading, factor, format
-    "p_max_MPa": ("p_max [MPa]", 1.0, ".0f"),
-    "wear_number_N": ("wear number [N]", 1.0, ".0f"),
-    "fatigue_share": ("FI>0 tread [%]", 100.0, ".1f"),
-    "fatigue_area_index": ("FI area tread [%]", 100.0, ".1f"),
-    "wear_depth_mm_per_1000_km": ("wear depth [µm/km]", 1.0, ".3g"),  # the same unit in short
-    "wear_y_mm": ("at y [mm]", 1.0, ".1f"),
-    "worn_area_mm2_per_km": ("worn area [mm²/km]", 1.0, ".3g"),
-    "seizure_share": ("seizure [%]", 100.0, ".0f"),
-    "flange_share": ("flange [%]", 100.0, ".0f"),
-}
-
-
-def _damage_table(columns: "pyarrow.Table") -> Table:
-    """The damage of every wheel over the whole run; ``damage.csv`` has more columns."""
-    table = new_table(
-        "Damage over the whole run", ("wheel", *(heading for heading, _, _ in DAMAGE_COLUMNS.values()))
-    )
-    for row in columns.to_pylist():
-        cells = (f"{row[name] * factor:{form}}" for name, (_, factor, form) in DAMAGE_COLUMNS.items())
-        table.add_row(f"{row['wheelset']}{'L' if row['side'] > 0 else 'R'}", *cells)
-    return table
-
-
-def _require_new(folder: Path) -> None:
-    """Refuse a folder that holds anything, before any work."""
-    try:
-        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-            kind = "is not empty" if folder.is_dir() else "is a file"
-            raise Refused(f"--out {folder}: {kind}, allowed is a new or an empty folder")
-    except OSError as error:
-        raise Refused(f"--out {folder}: {error.strerror}") from None
 
 
 @contextmanager

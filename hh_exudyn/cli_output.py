@@ -114,6 +114,16 @@ def check(option: str, value: float, low: float, high: float, unit: str) -> None
         )
 
 
+def require_new_folder(folder: Path) -> None:
+    """Refuse a folder that holds anything, before any work."""
+    try:
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            kind = "is not empty" if folder.is_dir() else "is a file"
+            raise Refused(f"--out {folder}: {kind}, allowed is a new or an empty folder")
+    except OSError as error:
+        raise Refused(f"--out {folder}: {error.strerror}") from None
+
+
 def require_new_figure(path: Path | None) -> None:
     """Refuse a figure that cannot be written, before any work."""
     if path is None:

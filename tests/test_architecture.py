@@ -35,6 +35,9 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "hh_exudyn.figures": ("hh_exudyn.contact", "track"),
     "hh_exudyn.cli_output": ("hh_exudyn.case_errors",),
     "hh_exudyn.cli_contact": ("hh_exudyn.contact", "hh_exudyn.figures", "hh_exudyn.cli_output"),
+    "hh_exudyn.cli_damage": (
+        "damage", "hh_exudyn.case", "hh_exudyn.contact", "hh_exudyn.log", "hh_exudyn.cli_output",
+    ),
     "hh_exudyn.cli_track": (
         "track", "vehicles", "hh_exudyn.case", "hh_exudyn.multibody", "hh_exudyn.figures",
         "hh_exudyn.cli_output",

@@ -174,7 +174,9 @@ def test_case_is_kept_with_the_run(done: tuple[Path, subprocess.CompletedProcess
 
 
 def test_damage_of_a_run(done: tuple[Path, subprocess.CompletedProcess[str]], tmp_path: Path) -> None:
-    names = ["damage.csv", "fatigue.png", "shakedown.png", "wear.png"]
+    names = [
+        *("damage.csv", "fatigue.png", "rcf_bins.png", "rcf_map.png", "shakedown.png", "wear.png"),
+    ]
     result = call("damage", done[0], "--out", tmp_path / "damage")
     assert result.exit_code == 0, result.stderr
     assert sorted(path.name for path in (tmp_path / "damage").iterdir()) == names
@@ -184,6 +186,67 @@ def test_damage_of_a_run(done: tuple[Path, subprocess.CompletedProcess[str]], tm
     again = call("damage", done[0], "--out", tmp_path / "damage")
     assert again.exit_code == 2
     assert "is not empty" in one_line(again.stderr)
+
+
+def test_damage_by_other_models(done: tuple[Path, subprocess.CompletedProcess[str]], tmp_path: Path) -> None:
+    out = tmp_path / "usfd"
+    result = call(
+        "damage", done[0], "--out", out, "--model", "usfd", "--theory", "fastsim", "--material", "ER8",
+        "--distance-km", "1000",
+    )  # fmt: skip
+    assert result.exit_code == 0, result.stderr
+    assert "Damage after 1,000 km" in result.stdout
+    assert "seizure" not in result.stdout
+    lines = (out / "distance.csv").read_text().splitlines()
+    assert "wear_depth_mm" in lines[0]
+    assert len(lines) == 9
+    report = (out / "damage.csv").read_text().splitlines()
+    per_1000_km = float(report[1].split(",")[report[0].split(",").index('"wear_depth_mm_per_1000_km"')])
+    depth = float(lines[1].split(",")[lines[0].split(",").index('"wear_depth_mm"')])
+    assert depth == pytest.approx(per_1000_km)
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (("--model", "archad"), "wear law = 'archad'"),
+        (("--model", "usfd", "--surface", "greased"), "wear law 'usfd' has no option 'surface'"),
+        (("--theory", "polach"), "theory = 'polach'; theories with a slip field"),
+        (("--material", "ER70"), "wheel material 'ER70' is not known"),
+        (("--distance-km", "0"), "--distance-km 0 km: allowed"),
+    ],
+)
+def test_damage_by_no_known_model_is_refused(
+    done: tuple[Path, subprocess.CompletedProcess[str]],
+    tmp_path: Path,
+    words: tuple[str, ...],
+    message: str,
+) -> None:
+    result = call("damage", done[0], "--out", tmp_path / "out", *words)
+    assert result.exit_code == 2
+    assert message in one_line(result.stderr)
+    assert not (tmp_path / "out").exists()
+
+
+def test_bad_rows_are_refused_or_left_out(
+    done: tuple[Path, subprocess.CompletedProcess[str]], tmp_path: Path
+) -> None:
+    log = open_run(done[0]).contact()
+    columns = {name: log[name].to_numpy().copy() for name in log.column_names}
+    columns["phi"][[5, 6]] = float("nan")
+    columns["force_y"][7] = 1e9
+    with Recorder(tmp_path / "bad", {"case": (done[0] / "case.toml").read_text()}) as recorder:
+        recorder.append("contact", columns)
+    result = call("damage", tmp_path / "bad", "--out", tmp_path / "out")
+    assert result.exit_code == 2
+    message = one_line(result.stderr)
+    assert f"3 of {log.num_rows} rows are bad, the first at time = " in message
+    assert "--skip-bad-rows leaves them out" in message
+    assert not (tmp_path / "out").exists()
+    result = call("damage", tmp_path / "bad", "--out", tmp_path / "out", "--skip-bad-rows")
+    assert result.exit_code == 0, result.stderr
+    assert f"left out: 3 of {log.num_rows} rows are bad" in result.stdout
+    assert (tmp_path / "out" / "bad_rows.csv").is_file()
 
 
 def test_playback_saves_a_new_file_only(

@@ -1,4 +1,4 @@
-"""Contact states re-solved for damage on 50 x 50 cells, with one thread and with all processors.
+"""Contact states re-solved for damage on 50 x 50 cells: their fields alone; everything, on one and all cores.
 
 A million states take this machine's time per state a million times; what is timed here is a piece of that.
 Run: pytest tests/benchmarks -p benchmark --override-ini addopts="--import-mode=importlib"
@@ -11,9 +11,12 @@ import pyarrow
 import pytest
 
 from damage.accumulate import accumulate, usable_processors
+from damage.burstow import Burstow
 from damage.material import ER7
-from damage.rcf import FLANGE_ANGLE
-from damage.report import DEFAULT_GRID, DRY
+from damage.model import DamageModel
+from hh_exudyn.contact.theories import FASTRIP, field_kernel
+from hh_exudyn.contact.types import Fields, RollingPatch
+from hh_exudyn.kernel import kernel
 from hh_exudyn.log.schema import CONTACT
 
 WHEELS = 8
@@ -45,14 +48,38 @@ def contact_log(states: int, seed: int = 1) -> pyarrow.Table:
     return pyarrow.table({column.name: values[column.name].astype(kinds[column.kind]) for column in CONTACT})
 
 
+MODEL = DamageModel(burstow=Burstow.of(ER7))
+STATES = 20_000  # of which a million take fifty times the time: every chunk is treated alike
+
+
+@kernel
+def _solve(patches: np.ndarray, shear_modulus: float, poisson_ratio: float, fields: Fields) -> None:
+    """Stress and slip fields alone."""
+    for row in range(patches.shape[0]):
+        a, b, normal_force, nu_x, nu_y, phi, friction = patches[row]
+        patch = RollingPatch(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
+        field_kernel(FASTRIP, patch, fields)
+
+
+def test_fields_alone(benchmark: Any) -> None:
+    """What every state costs before anything is made of it: the measure for `test_states`."""
+    log = contact_log(STATES)
+    names = ("a", "b", "normal_force", "nu_x", "nu_y", "phi", "friction")
+    patches = np.ascontiguousarray(np.column_stack([log[name].to_numpy() for name in names]))
+    fields = Fields(*np.zeros((5, MODEL.cells[1], MODEL.cells[0])))
+    elastic = (ER7.elastic.shear_modulus, ER7.elastic.poisson_ratio)
+    _solve(patches[:10], *elastic, fields)
+    benchmark.pedantic(_solve, (patches, *elastic, fields), rounds=5)
+    if benchmark.stats is not None:
+        benchmark.extra_info["states per second and core"] = STATES / benchmark.stats["median"]
+
+
 @pytest.mark.parametrize("threads", sorted({1, usable_processors()}))
 def test_states(benchmark: Any, threads: int) -> None:
-    """A hundred thousand states; their rate per core is in the extra information of the benchmark."""
-    states = 100_000
-    log = contact_log(states)
-    options = (ER7, "fastrip", (50, 50), DRY, FLANGE_ANGLE, DEFAULT_GRID)
-    accumulate(contact_log(100), *options)
-    surface = benchmark.pedantic(accumulate, (log, *options), {"threads": threads}, rounds=3)
-    assert surface.rows == states
+    """Stress, slip, wear, fatigue, RCF numbers, sums; the rate per core is in the extra information."""
+    log = contact_log(STATES)
+    accumulate(contact_log(100), MODEL)
+    surface = benchmark.pedantic(accumulate, (log, MODEL), {"threads": threads}, rounds=5)
+    assert surface.rows == STATES
     if benchmark.stats is not None:
-        benchmark.extra_info["states per second and core"] = states / benchmark.stats["median"] / threads
+        benchmark.extra_info["states per second and core"] = STATES / benchmark.stats["median"] / threads

@@ -70,6 +70,16 @@ def test_place_of_first_yield() -> None:
     np.testing.assert_allclose(shakedown_limit([0.38, 0.5, 0.9]), 1.0 / np.array([0.38, 0.5, 0.9]))
 
 
+def test_tresca_is_that_of_the_plane_of_rolling() -> None:
+    """With sigma_y first yield comes earlier under friction, by the numbers that the docstring states."""
+    x, z = np.meshgrid(np.linspace(-2.0, 2.0, 401), np.linspace(0.0, 1.5, 151))
+    for friction, in_plane, with_axle in ((0.0, 3.33, 3.33), (0.2, 3.13, 3.08), (0.35, 2.75, 2.45)):
+        field = line_contact_stress(x, z, 1.0, 1.0, friction, poisson_ratio=0.28)
+        assert stress_circle(friction).limit == pytest.approx(in_plane, abs=6e-3)
+        assert 1.0 / field.principal_shear.max() == pytest.approx(in_plane, abs=6e-3)
+        assert 1.0 / field.max_shear.max() == pytest.approx(with_axle, abs=6e-3)
+
+
 def test_limits_fall_with_friction_and_rise_with_hardening() -> None:
     friction = np.linspace(0.0, 1.0, 401)
     limits = [shakedown_limit(friction, hardening) for hardening in HARDENINGS]
