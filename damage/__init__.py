@@ -16,6 +16,8 @@ Start with `damage.report.assess`, which takes a run, files, a table or arrays.
 `damage.whole_life_rail`  damage over the wear number, fatigue against wear
 `damage.ratchetting`      plastic shear of layers below the surface
 `damage.shakedown`        shakedown limit of point contact, working points
+`damage.evolution`        a profile over its life: wear steps, measures, reprofiling
+`damage.wear_and_cracks`  what wear leaves of the cracks: by layers worn off, or by Burstow
 `damage.wheel_surface`    the sums over contact states, on a grid fixed to the wheel
 `damage.lateral_grid`     the bins of that grid, along the arc of the profile
 `damage.accumulate`       the loop over the contact states; `damage.contact_sums` its kernel

@@ -99,6 +99,21 @@ def test_savast(tmp_path: Path) -> None:
     assert again.endswith(text[text.index("smallest") :])
 
 
+@pytest.mark.slow
+def test_wheel_life(tmp_path: Path) -> None:
+    """On straight track alone the running circle loses some um per 1000 km (Table 1-8: 9 on the line).
+
+    The flange touches nothing there. Called again for more kilometres, the first one is not made again.
+    """
+    text = run("06_wheel_life.py", tmp_path, 1, 1)
+    (circle,) = re.findall(r"^WP4_like, circle: ([\d.]+) um per 1000 km$", text, re.MULTILINE)
+    assert 3.0 < float(circle) < 30.0
+    assert "WP4_like, flange: 0.0 um" in text
+    assert {"profiles.png", "measures.png", "steps"} <= {path.name for path in tmp_path.iterdir()}
+    again = run("06_wheel_life.py", tmp_path, 2, 1)
+    assert re.findall(r"^(.*), circle", again, re.MULTILINE) == ["WP4_like after 1 km"]
+
+
 def test_every_example_is_run_here() -> None:
     source = Path(__file__).read_text()
     for path in EXAMPLES.glob("*.py"):

@@ -1,0 +1,122 @@
+"""The steps of a wheel's life: on disk, one file a step, and as a table.
+
+    directory/step-00000.npz    the wheel before the first step
+    directory/step-00001.npz    after it: profile (y, z), radius, distance, measures
+
+A file appears under its name only when it is whole, so a loop that was killed leaves all finished steps.
+"""
+
+import os
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow
+
+from damage.evolution.measures import WheelMeasures
+from hh_exudyn.contact.profile import Profile
+
+_PATTERN = "step-{:05d}.npz"
+
+
+@dataclass(frozen=True)
+class WearStep:
+    """A wheel after a step of wear.
+
+    Attributes
+    ----------
+    distance
+        Rolled since the start [m].
+    profile
+        Running circle at z = 0.
+    radius
+        At the running circle [m].
+    depth
+        Largest depth that this step took [m]; 0 at the start.
+    measures
+        Of the profile.
+    """
+
+    distance: float
+    profile: Profile
+    radius: float
+    depth: float
+    measures: WheelMeasures
+
+
+@dataclass(frozen=True)
+class WearHistory:
+    """The steps of a wheel's life, the first before any wear."""
+
+    steps: tuple[WearStep, ...]
+
+    @property
+    def last(self) -> WearStep:
+        """The wheel as it is now."""
+        return self.steps[-1]
+
+    def to_table(self) -> pyarrow.Table:
+        """One row per step, for people: units are in the names of the columns."""
+        columns: dict[str, list[float]] = {
+            "distance_km": [1e-3 * step.distance for step in self.steps],
+            "step_depth_mm": [1e3 * step.depth for step in self.steps],
+        }
+        for name, column, factor in (
+            ("diameter", "diameter_mm", 1e3),
+            ("flange_height", "Sh_mm", 1e3),
+            ("flange_thickness", "Sd_mm", 1e3),
+            ("flange_steepness", "qR_mm", 1e3),
+            ("flange_angle", "flange_angle_deg", 180.0 / np.pi),
+            ("hollow", "hollow_mm", 1e3),
+            ("conicity", "equivalent_conicity", 1.0),
+        ):
+            columns[column] = [factor * getattr(step.measures, name) for step in self.steps]
+        return pyarrow.table(columns)
+
+
+def write_step(directory: Path, number: int, step: WearStep) -> None:
+    """Write a step, whole or not at all."""
+    directory.mkdir(parents=True, exist_ok=True)
+    path = directory / _PATTERN.format(number)
+    unfinished = path.with_suffix(".tmp")
+    numbers = {"distance": step.distance, "radius": step.radius, "depth": step.depth}
+    numbers |= asdict(step.measures)
+    arrays: dict[str, Any] = {key: np.array(value) for key, value in numbers.items()}
+    with unfinished.open("wb") as file:
+        np.savez(file, name=np.array(step.profile.name), y=step.profile.y, z=step.profile.z, **arrays)
+    os.replace(unfinished, path)
+
+
+def read_history(directory: Path | str) -> WearHistory:
+    """All steps in a directory, in order; none where there are none.
+
+    Raises
+    ------
+    ValueError
+        A file is not one of a step, or a step is missing between others.
+    """
+    directory = Path(directory)
+    paths = sorted(directory.glob("step-*.npz"))
+    wanted = [_PATTERN.format(number) for number in range(len(paths))]
+    if [path.name for path in paths] != wanted:
+        raise ValueError(
+            f"{directory}: {len(paths)} steps up to {paths[-1].name}, some are missing before it"
+        )
+    return WearHistory(tuple(_read_step(path) for path in paths))
+
+
+def _read_step(path: Path) -> WearStep:
+    try:
+        with np.load(path) as data:
+            values = {name: data[name] for name in data.files}
+        measures = WheelMeasures(**{name: float(values[name]) for name in WheelMeasures.__annotations__})
+        return WearStep(
+            distance=float(values["distance"]),
+            profile=Profile(str(values["name"]), "wheel", values["y"], values["z"]),
+            radius=float(values["radius"]),
+            depth=float(values["depth"]),
+            measures=measures,
+        )
+    except (KeyError, ValueError, OSError, EOFError) as error:
+        raise ValueError(f"{path}: not a step of a wheel's life ({error})") from None

@@ -1,0 +1,150 @@
+"""`evolve`: wear a wheel step by step until it has run a distance.
+
+Where the wear comes from is not known here: `wear_of(profile)` may run simulations with the profile as it is,
+or give a synthetic rate. A step ends where the deepest place has lost `StepControl.max_depth` or where
+`StepControl.max_distance` is run, whichever comes first; then the profile is updated (T. Jendel, Prediction
+of wheel profile wear - comparisons with field measurements, Wear 253 (2002); Hossein-Nia 2018, figure 3-25).
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from damage.evolution.history import WearHistory, WearStep, read_history, write_step
+from damage.evolution.measures import ConicityTrack, measure
+from damage.evolution.profile_wear import ProfileWear
+from damage.evolution.worn_profile import SMOOTHING, step_depth, worn_profile
+from hh_exudyn.contact.profile import Profile
+
+Progress = Callable[[float, str], None]
+
+_LAST = 1e-9  # of the distance: a rest below it is rounding
+
+
+@dataclass(frozen=True)
+class StepControl:
+    """When the profile is updated.
+
+    Attributes
+    ----------
+    max_depth
+        Largest depth of a step [m], > 0; 0.1 mm after Jendel (2002), unconfirmed.
+    max_distance
+        Longest step [m], > 0; 1500 km after Jendel (2002), unconfirmed.
+    smoothing
+        Share of the largest depth that smoothing may change a depth by [-], 0 to 0.5.
+
+    Raises
+    ------
+    ValueError
+        A number out of its range.
+    """
+
+    max_depth: float = 0.1e-3
+    max_distance: float = 1500e3
+    smoothing: float = SMOOTHING
+
+    def __post_init__(self) -> None:
+        for name in ("max_depth", "max_distance"):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and value > 0.0):
+                raise ValueError(f"{name} = {value} m of a step of wear must be finite and > 0 m")
+        if not 0.0 <= self.smoothing <= 0.5:
+            raise ValueError(f"smoothing = {self.smoothing} of a step of wear, allowed 0 .. 0.5")
+
+
+def evolve(
+    wheel: Profile,
+    radius: float,
+    wear_of: Callable[[Profile], ProfileWear],
+    distance: float,
+    directory: Path | str,
+    control: StepControl | None = None,
+    track: ConicityTrack | None = None,
+    progress: Progress | None = None,
+) -> WearHistory:
+    """The life of a wheel up to a distance; goes on where the directory's last step ends.
+
+    Parameters
+    ----------
+    wheel
+        The profile at the start.
+    radius
+        At its running circle [m].
+    wear_of
+        Wear of a wheel with the given profile: called once a step.
+    distance
+        At the end, from the start [m], >= 0.
+    directory
+        Where the steps are written, one file each. One that holds steps of the same wheel is continued.
+    control
+        When the profile is updated; None takes the defaults.
+    track
+        For the equivalent conicity; None takes 60E1 1:30 at nominal gauge.
+    progress
+        Called after every step with the share of the distance that is done (0..1) and a line of text.
+
+    Raises
+    ------
+    ValueError
+        A number out of its range, a directory with the steps of another wheel, or wear that leaves no valid
+        profile (`worn_profile`); the steps so far are kept.
+    """
+    if not (math.isfinite(distance) and distance >= 0.0):
+        raise ValueError(f"distance = {distance} m must be finite and >= 0 m")
+    if not (math.isfinite(radius) and radius > 0.0):
+        raise ValueError(f"radius = {radius} m must be finite and > 0 m")
+    directory, control, track = Path(directory), control or StepControl(), track or ConicityTrack()
+    steps = list(read_history(directory).steps)
+    if not steps:
+        steps.append(WearStep(0.0, wheel, radius, 0.0, measure(wheel, radius, track)))
+        write_step(directory, 0, steps[0])
+    _check_same(directory, steps[0], wheel, radius)
+    while distance - steps[-1].distance > _LAST * distance:
+        steps.append(_next(steps[-1], wheel.name, wear_of, distance, control, track))
+        write_step(directory, len(steps) - 1, steps[-1])
+        if progress is not None:
+            progress(
+                steps[-1].distance / distance,
+                f"step {len(steps) - 1}: {1e-3 * steps[-1].distance:.0f} km, "
+                f"up to {1e3 * steps[-1].depth:.4f} mm deep",
+            )
+    return WearHistory(tuple(step for step in steps if step.distance <= distance * (1.0 + _LAST)))
+
+
+def _next(
+    now: WearStep,
+    name: str,
+    wear_of: Callable[[Profile], ProfileWear],
+    distance: float,
+    control: StepControl,
+    track: ConicityTrack,
+) -> WearStep:
+    """The wheel one step later."""
+    wear = wear_of(now.profile)
+    way = min(control.max_distance, distance - now.distance)
+    deepest = float(step_depth(now.profile, wear, way, control.smoothing).max())
+    if deepest > control.max_depth:
+        way *= control.max_depth / deepest
+        deepest = control.max_depth
+    end = now.distance + way
+    if distance - end <= _LAST * distance:
+        end = distance
+    profile, lost = worn_profile(
+        now.profile, wear, way, control.smoothing, f"{name} after {1e-3 * end:.0f} km"
+    )
+    radius = now.radius - lost
+    return WearStep(end, profile, radius, deepest, measure(profile, radius, track))
+
+
+def _check_same(directory: Path, start: WearStep, wheel: Profile, radius: float) -> None:
+    """A directory is continued with the wheel that it began with only."""
+    same = np.array_equal(start.profile.y, wheel.y) and np.array_equal(start.profile.z, wheel.z)
+    if not (same and start.radius == radius):
+        raise ValueError(
+            f"{directory}: holds the steps of wheel profile {start.profile.name!r} with a radius of "
+            f"{1e3 * start.radius:g} mm; it cannot be continued with {wheel.name!r} and {1e3 * radius:g} mm"
+        )
