@@ -18,6 +18,7 @@ from vehicles.description import Vehicle
 FloatArray = NDArray[np.float64]
 
 CAR_BODY, WHEELSET = "car_body", "wheelset"
+FRAMES = ("side_frame", "bogie_frame")  # not the motors that hang on wheelsets
 _COLUMNS = ("time", "body", "s", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz")
 
 
@@ -88,11 +89,9 @@ def bogie_places(vehicle: Vehicle) -> list[Place]:
     kind = {body.name: body.kind for body in vehicle.bodies}
     points: dict[tuple[str, str], list[tuple[float, ...]]] = {}
     for body_a, body_b, point in _coupled(vehicle):
-        if (kind[body_a] == WHEELSET) == (kind[body_b] == WHEELSET):
-            continue
-        wheelset, body = (body_a, body_b) if kind[body_a] == WHEELSET else (body_b, body_a)
-        if kind[body] != CAR_BODY:
-            points.setdefault((body, wheelset), []).append(point)
+        for body, wheelset in ((body_a, body_b), (body_b, body_a)):
+            if kind[body] in FRAMES and kind[wheelset] == WHEELSET:
+                points.setdefault((body, wheelset), []).append(point)
     return [
         Place(f"{body} over {wheelset}", body, np.mean(own, axis=0) - vehicle.body(body).position)
         for (body, wheelset), own in points.items()
