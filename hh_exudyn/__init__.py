@@ -12,8 +12,9 @@ from the logs alone; playback and figures show both. Read in this order:
 `hh_exudyn.multibody`          the only importer of Exudyn: assembly, equilibrium, `simulate(case)`
 `hh_exudyn.log`                contact log, motion log and energy ledger as Parquet
 `damage`                       wear depth and rolling contact fatigue from the contact log
+`hh_exudyn.assessment`         forces and accelerations of a run after UIC 518 / EN 14363
 `hh_exudyn.playback`           rerun recordings and headless pictures
-`hh_exudyn.figures`            figures of one patch, of conicity, of tracks and lines, of wheel forces
+`hh_exudyn.figures`            figures of a patch, of conicity, tracks, wheel forces, assessment, curving
 `hh_exudyn.cli`                the command ``hh-exudyn``
 =============================  ====================================================================
 

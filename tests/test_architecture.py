@@ -43,7 +43,8 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "hh_exudyn.playback": (
         "hh_exudyn.log", "hh_exudyn.case", "hh_exudyn.contact", "damage", "vehicles", "track",
     ),
-    "hh_exudyn.figures": ("hh_exudyn.contact", "track"),
+    "hh_exudyn.assessment": ("hh_exudyn.log", "hh_exudyn.case", "vehicles", "track"),
+    "hh_exudyn.figures": ("hh_exudyn.contact", "hh_exudyn.assessment", "track"),
     "hh_exudyn.cli_output": ("hh_exudyn.case_errors",),
     "hh_exudyn.cli_contact": ("hh_exudyn.contact", "hh_exudyn.figures", "hh_exudyn.cli_output"),
     "hh_exudyn.cli_damage": (
@@ -51,6 +52,9 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     ),
     "hh_exudyn.cli_track": (
         "track", "vehicles", "hh_exudyn.case", "hh_exudyn.figures", "hh_exudyn.cli_output",
+    ),
+    "hh_exudyn.cli_assess": (
+        "hh_exudyn.assessment", "hh_exudyn.figures", "hh_exudyn.log", "hh_exudyn.cli_output",
     ),
     "hh_exudyn.cli": PACKAGES,
     "hh_exudyn.__main__": ("hh_exudyn.cli",),

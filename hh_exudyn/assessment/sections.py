@@ -1,0 +1,156 @@
+"""Test sections of a track: straights, transitions and curves apart, cut to the lengths of UIC 518."""
+
+import math
+from dataclasses import dataclass, replace
+
+from hh_exudyn.assessment.limits import data
+from track.alignment import Alignment, Curve, Straight, Transition
+from track.sections import Ramp, Section
+
+STRAIGHT, TRANSITION = "straight", "transition"
+LENGTHS = (10.0, 1000.0)  # m, of a section that the caller chooses
+
+# Surveyed lines are ramps all along, so what counts as straight and as one curve has to be said. Assumed.
+_STRAIGHT_RADIUS = 5000.0  # m
+_SAME_CURVATURE = 0.1  # relative
+
+
+@dataclass(frozen=True)
+class AssessedSection:
+    """A stretch of track that is assessed by itself.
+
+    Attributes
+    ----------
+    kind : str
+        "straight", "transition", or the name of a class of radii.
+    start, end : float
+        Arc length [m].
+    curvature : float
+        [1/m], positive to the left; 0 on a straight and for a transition.
+    """
+
+    kind: str
+    start: float
+    end: float
+    curvature: float = 0.0
+
+    @property
+    def length(self) -> float:
+        """[m]."""
+        return self.end - self.start
+
+    @property
+    def radius(self) -> float:
+        """[m], infinite without curvature."""
+        return 1.0 / abs(self.curvature) if self.curvature else math.inf
+
+    @property
+    def hand(self) -> str:
+        """ "left", "right", or nothing."""
+        return "" if not self.curvature else "left" if self.curvature > 0.0 else "right"
+
+    @property
+    def curved(self) -> bool:
+        """Whether quasi-static forces are judged here."""
+        return self.curvature != 0.0
+
+
+def cut_sections(
+    alignment: Alignment, covered: tuple[float, float], length: float | None = None
+) -> tuple[AssessedSection, ...]:
+    """The test sections of an alignment that a run covers.
+
+    A straight or curve holds as many sections as there is room for; what is left over lies at its start,
+    where the vehicle still settles. A transition is one section. A stretch without room for one has none.
+
+    Parameters
+    ----------
+    alignment : Alignment
+        Of the run.
+    covered : (float, float)
+        Arc lengths between which every wheelset went [m].
+    length : float or None
+        Of the sections of straights and curves [m], 10 to 1000; None, the default, for those of UIC 518.
+
+    Raises
+    ------
+    ValueError
+        A length out of range; no stretch is long enough.
+    """
+    if length is not None and not LENGTHS[0] <= length <= LENGTHS[1]:
+        raise ValueError(f"section length is {length:g} m, allowed are {LENGTHS[0]:g} to {LENGTHS[1]:g} m")
+    found, short = [], []
+    for stretch in _stretches(alignment):
+        whole = covered[0] <= stretch.start and stretch.end <= covered[1]
+        part = replace(stretch, start=max(stretch.start, covered[0]), end=min(stretch.end, covered[1]))
+        if part.kind == TRANSITION:
+            if whole and part.length >= LENGTHS[0]:
+                found.append(part)
+            continue
+        wanted = length or _wanted(part)
+        count = math.floor(part.length / wanted + 1e-9)
+        if count == 0 and part.length > 0.0:
+            short.append(f"{part.kind} {part.length:.1f} of {wanted:g} m")
+        starts = (part.end - wanted * (count - i) for i in range(count))
+        found += [replace(part, start=start, end=start + wanted) for start in starts]
+    if not any(section.kind != TRANSITION for section in found):
+        raise ValueError(
+            f"no straight or curve is long enough for a test section: {'; '.join(short) or 'there is none'}; "
+            "a longer run or a shorter section length is needed"
+        )
+    return tuple(found)
+
+
+def _wanted(part: AssessedSection) -> float:
+    """Length of the sections of a straight or curve [m]."""
+    if part.kind == STRAIGHT:
+        return float(data()["sections"]["straight_m"])
+    return next(float(row["length_m"]) for row in data()["sections"]["curves"] if row["name"] == part.kind)
+
+
+def _stretches(alignment: Alignment) -> list[AssessedSection]:
+    """Consecutive sections of the same kind as one."""
+    found: list[AssessedSection] = []
+    start = 0.0
+    for section in alignment.sections:
+        new = _stretch(section, start)
+        start = new.end
+        if found and _same(found[-1], new):
+            old = found[-1]
+            mean = (old.curvature * old.length + new.curvature * new.length) / (new.end - old.start)
+            found[-1] = replace(old, end=new.end, curvature=mean)
+        else:
+            found.append(new)
+    return found
+
+
+def _stretch(section: Section, start: float) -> AssessedSection:
+    """A section of the alignment as what it is to the assessment."""
+    end = start + section.length
+    if isinstance(section, Straight):
+        return AssessedSection(STRAIGHT, start, end)
+    if isinstance(section, Curve):
+        return AssessedSection(_curve_class(section.state[0]), start, end, section.state[0])
+    if isinstance(section, Ramp):
+        first, last = section.curvature
+        largest = max(abs(first), abs(last))
+        if largest * _STRAIGHT_RADIUS <= 1.0:
+            return AssessedSection(STRAIGHT, start, end)
+        if abs(first - last) <= _SAME_CURVATURE * largest:
+            mean = 0.5 * (first + last)
+            return AssessedSection(_curve_class(mean), start, end, mean)
+    else:
+        assert isinstance(section, Transition)
+    return AssessedSection(TRANSITION, start, end)
+
+
+def _curve_class(curvature: float) -> str:
+    """Name of the class of radii."""
+    rows = data()["sections"]["curves"]
+    return next(str(row["name"]) for row in rows if row["from_m"] * abs(curvature) <= 1.0)
+
+
+def _same(old: AssessedSection, new: AssessedSection) -> bool:
+    """Whether two neighbours are one stretch."""
+    largest = max(abs(old.curvature), abs(new.curvature))
+    return old.kind == new.kind and abs(old.curvature - new.curvature) <= _SAME_CURVATURE * largest

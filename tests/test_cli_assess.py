@@ -1,0 +1,58 @@
+"""``hh-exudyn assess``: values, limits with their marks, files, refusals."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pyarrow.csv
+import pytest
+from made_up_run import made_up_run
+from typer.testing import CliRunner, Result
+
+from hh_exudyn.assessment.report import assess
+from hh_exudyn.cli import app
+from hh_exudyn.log.store import Run
+
+
+def call(*words: str | Path) -> Result:
+    return CliRunner().invoke(app, ["assess", *map(str, words)])
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory: pytest.TempPathFactory) -> Run:
+    return made_up_run(
+        tmp_path_factory.mktemp("cli") / "run",
+        lambda wheelset, side, t: 1e3 * (150 + wheelset) + 0 * t,
+        lambda wheelset, side, t: 10e3 * side * np.sin(6.0 * t),
+    )
+
+
+def test_tables_and_files(run: Run, tmp_path: Path) -> None:
+    result = call(run.directory, "--out", tmp_path / "sheet.png", "--table", tmp_path / "all.csv")
+    assert result.exit_code == 0, result.stderr
+    text = result.stdout
+    assert re.search(r"50\.0 +300\.0 +straight", text)
+    assert re.search(r" Q \[kN\] +154\.0 +200\.0 \? +77 +50 +wheel 4[LR]", text)
+    assert re.search(r"Y/Q, 2 m \[-\] +0\.06\d +0\.800 +8 ", text)  # no question mark
+    assert "Q [kN]: UIC 518 from memory: min(90 + Q0, 200) kN" in text
+    assert "the axle load is above the 25 t" in text
+    assert pyarrow.csv.read_csv(tmp_path / "all.csv").num_rows == len(assess(run).findings)
+    assert (tmp_path / "sheet.png").stat().st_size > 10_000
+
+
+def test_refusals(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "there.csv").write_text("")
+    for words, reason in (
+        ((tmp_path / "nowhere",), "is not a directory"),
+        ((run.directory, "--section-length-m", "5"), "--section-length-m 5 m: allowed 10 to 1000 m"),
+        ((run.directory, "--section-length-m", "600"), "no straight or curve is long enough"),
+        ((run.directory, "--table", tmp_path / "there.csv"), "exists already"),
+        ((run.directory, "--table", tmp_path / "all.txt"), "allowed is .csv"),
+        ((run.directory, "--table", tmp_path / "no" / "all.csv"), "there is no folder"),
+        ((run.directory, "--out", tmp_path / "sheet.txt"), "allowed are .png"),
+    ):
+        result = call(*words)
+        assert result.exit_code == 2
+        assert reason in result.stderr
+        assert result.stderr.count("\n") == 1
+        assert result.stdout == ""
