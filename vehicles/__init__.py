@@ -2,10 +2,13 @@
 
 ====================  ================================================================================
 `description`         bodies, couplings, wheelsets, vehicles: the drawing
+`soundness`           what no part of a vehicle may have
 `parameters`          parameter files, in which every number has its unit and its source
 `three_piece_bogie`   bolster, side frames, wheelsets and what couples them
 `wagon`               the LKAB iron-ore wagon
 `catalogue`           the vehicles by name
+`variants`            a vehicle with some numbers changed, said in a small file
+`statics`             axle loads of a vehicle at rest
 `start`               where a vehicle stands on its track when a run begins
 `force_laws`          two-stage springs, stops, dry friction, wedges: kernels of plain numbers
 ====================  ================================================================================

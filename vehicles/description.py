@@ -8,6 +8,8 @@ relative to body A in the axes of body A, zero on the drawing.
 import math
 from dataclasses import dataclass
 
+from vehicles.soundness import require_sound
+
 Vector = tuple[float, float, float]
 
 BODY_KINDS = ("car_body", "bolster", "side_frame", "wheelset")
@@ -195,6 +197,7 @@ class Vehicle:
         wanted |= {wheelset.body for wheelset in self.wheelsets} | {self.coupler.body}
         if unknown := wanted - set(names):
             raise ValueError(f"vehicle {self.name}: no body named {', '.join(sorted(unknown))}")
+        require_sound((*self.bodies, *self.couplings, *self.wheelsets, self.coupler))
 
     def body(self, name: str) -> Body:
         """The body of that name."""

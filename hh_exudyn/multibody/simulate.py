@@ -22,7 +22,6 @@ from hh_exudyn.multibody.recording import LogWriter
 from hh_exudyn.multibody.stability import require_stable_step
 from hh_exudyn.multibody.system import evaluate_bundle
 from hh_exudyn.multibody.watch import REASONS, Trouble, look_bundle, watch_state
-from vehicles.catalogue import vehicle as vehicle_by_name
 from vehicles.description import Vehicle
 
 PROGRESS_INTERVAL = 0.2  # s of wall time between two calls of the progress function
@@ -79,7 +78,7 @@ def simulate(
     KeyboardInterrupt
         Ctrl-C; the log so far is kept.
     """
-    vehicle = vehicle or vehicle_by_name(case.vehicle)
+    vehicle = vehicle or case.described_vehicle()
     model = assemble(vehicle, case)
     work = workspace(model)
     if progress is not None:

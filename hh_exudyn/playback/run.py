@@ -39,7 +39,6 @@ from hh_exudyn.playback.track_shapes import pieces
 from hh_exudyn.playback.wheels import wheel_rows
 from track.alignment import Alignment
 from track.rails import Rails
-from vehicles.catalogue import vehicle as described_vehicle
 
 APPLICATION = "hh_exudyn"
 FRAME_BODY = "car_body"  # the moving frame follows this body
@@ -78,7 +77,7 @@ def scene(case: Case) -> Scene:
         The vehicle is not described with the lengths of an ore wagon.
     """
     tread = np.column_stack([case.wheel.y, case.wheel.z])
-    shapes = wagon_shapes(wagon_dimensions(described_vehicle(case.vehicle)), tread)
+    shapes = wagon_shapes(wagon_dimensions(case.described_vehicle()), tread)
     rails = Rails(case.track.rail, case.track.rail, case.track.rail_inclination)
     return Scene(shapes, case.alignment(), rails.left_profile(), rails.right_profile())
 
