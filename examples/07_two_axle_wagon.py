@@ -14,7 +14,8 @@ from damage.summary import steady_window, wheelset_summary
 from hh_exudyn.case import Case, CurveCase, StraightCase, TrackCase, TransitionCase
 from hh_exudyn.figures.vehicle import summary, vehicle_sheet
 from hh_exudyn.multibody.simulate import simulate
-from vehicles.description import AxleBoxPad, Body, Coupler, Vehicle, Wheelset
+from vehicles.couplings import AxleBoxPad
+from vehicles.description import Body, Coupler, Vehicle, Wheelset
 
 RADIUS, WHEELBASE, HALF_SPACING, LENGTH = 0.46, 6.0, 1.0, 10.0  # m
 STIFFNESS, DAMPING = (1.0e6, 0.5e6, 1.2e6), (20e3, 20e3, 30e3)  # of a link, along x, y, z [N/m], [N s/m]
@@ -23,7 +24,7 @@ TRACK = TrackCase(sections=(StraightCase(length_m=20), TransitionCase(length_m=3
 
 
 def two_axle_wagon() -> Vehicle:
-    bodies = [Body("body", "car_body", 17.4e3, (30e3, 140e3, 145e3), (0.0, 0.0, 1.6))]
+    bodies = [Body("body", "car_body", 17.4e3, (20e3, 140e3, 145e3), (0.0, 0.0, 1.6))]
     couplings = []
     for number, x in ((1, WHEELBASE / 2), (2, -WHEELBASE / 2)):
         axle = f"wheelset_{number}"
@@ -36,7 +37,7 @@ def two_axle_wagon() -> Vehicle:
         bodies=tuple(bodies),
         couplings=tuple(couplings),
         wheelsets=(Wheelset("wheelset_1", 1, RADIUS), Wheelset("wheelset_2", 2, RADIUS)),
-        coupler=Coupler("body", ((LENGTH / 2, 0.0, 1.05), (-LENGTH / 2, 0.0, 1.05)), 200e3, 90e3),
+        coupler=Coupler(("body", "body"), ((LENGTH / 2, 0.0, 1.05), (-LENGTH / 2, 0.0, 1.05)), 200e3, 90e3),
         dimensions={},
     )
 
