@@ -10,6 +10,7 @@
 `catalogue`           the vehicles by name
 `variants`            a vehicle with some numbers changed, said in a small file
 `statics`             axle loads of a vehicle at rest
+`stored`              a vehicle as JSON, which every run keeps of its own
 `start`               where a vehicle stands on its track when a run begins
 `force_laws`          two-stage springs, stops, dry friction, wedges: kernels of plain numbers
 ====================  ================================================================================
