@@ -1,10 +1,12 @@
 """Axle loads of a vehicle at rest on level track, from its bodies and couplings alone."""
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
 
 from hh_exudyn.conventions import GRAVITY
+from vehicles.couplings import BumpStop, Rod
 from vehicles.description import Vehicle
 
 TOLERANCE = 1e-6  # of the weight: what no vertical forces can hold
@@ -13,8 +15,8 @@ TOLERANCE = 1e-6  # of the weight: what no vertical forces can hold
 def axle_loads(vehicle: Vehicle) -> list[float]:
     """Static vertical forces of the wheelsets on the track [N], in the order of `vehicle.wheelsets`.
 
-    Every coupling with a point carries a vertical force there, so that force and pitching moment of every
-    body balance. Where the couplings leave that open, the forces with the least sum of squares are taken:
+    Every coupling that can carry weight does so at its point, so that force and pitching moment of every body
+    balance. Where the couplings leave that open, the forces with the least sum of squares are taken:
     those of equal springs. Exact for bogie vehicles, whose loads do not depend on stiffness, and for vehicles
     symmetric front to rear.
 
@@ -43,8 +45,18 @@ def axle_loads(vehicle: Vehicle) -> list[float]:
 
 
 def _supports(vehicle: Vehicle) -> Iterator[tuple[str, str, float]]:
-    """Bodies and place of every coupling that may carry weight; rods lie along the track."""
+    """Bodies and place of every coupling that carries weight at rest.
+
+    That is no stop, no spring or damper without vertical stiffness, and of the rods those that stand.
+    """
     for coupling in vehicle.couplings:
-        point = getattr(coupling, "point", None)
-        if point is not None:
-            yield coupling.body_a, coupling.body_b, point[0]
+        if isinstance(coupling, BumpStop):
+            continue
+        if isinstance(coupling, Rod):
+            (xa, ya, za), (xb, yb, zb) = coupling.point_a, coupling.point_b
+            if abs(zb - za) > math.hypot(xb - xa, yb - ya) and coupling.stiffness > 0.0:
+                yield coupling.body_a, coupling.body_b, xb
+            continue
+        stiffness = getattr(coupling, "stiffness", 1.0)
+        if (stiffness[2] if isinstance(stiffness, tuple) else stiffness) > 0.0:
+            yield coupling.body_a, coupling.body_b, coupling.point[0]

@@ -44,5 +44,7 @@ def _built(hint: Any, value: Any) -> Any:
         return tuple(_built(kind, item) for kind, item in zip(inner, value, strict=True))
     kinds = {getattr(kind, "__name__", ""): kind for kind in get_args(hint) if is_dataclass(kind)}
     if kinds and isinstance(value, dict):
-        return _built(kinds[value[_TYPE]], {name: item for name, item in value.items() if name != _TYPE})
+        named = {name: item for name, item in value.items() if name != _TYPE}
+        only = next(iter(kinds)) if len(kinds) == 1 else ""  # something or None
+        return _built(kinds[only or value[_TYPE]], named)
     return value

@@ -100,7 +100,7 @@ FAULTS = {  # contents of the file: what the one line says
     'base = "iore_wagon_loaded"\nwedge.friction = nan': ["wedge.friction = nan", "finite number"],
     'base = "iore_wagon_loaded"\nwedge.friction = 0.9': ["wedge_1L_front jams", "0.9"],
     'base = "iore_wagon_loaded"\nwedge.friction = -0.1': ["friction = -0.1 must be >= 0"],
-    'base = "iore_wagon_loaded"\naxle_box_pad.lateral_stiffness = -1.0': ["AxleBoxPad", "stiffness = -1 "],
+    'base = "iore_wagon_loaded"\naxle_box_pad.lateral_stiffness = -1.0': ["wheelset_1", "stiffness", "-1"],
     'base = "iore_wagon_loaded"\nside_frame.mass = 0': ["body side_frame_1L: mass 0.0 kg"],
     'base = "iore_wagon_loaded"\nwagon.payload = 3e5': ["payload of bad is 300000 kg", "0..102000 kg"],
     'base = "no.toml"': ["no.toml: cannot be read"],
