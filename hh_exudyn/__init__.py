@@ -12,7 +12,7 @@ from the logs alone; playback and figures show both. Read in this order:
 `hh_exudyn.log`                contact log, motion log and energy ledger as Parquet
 `damage`                       wear depth and rolling contact fatigue from the contact log
 `hh_exudyn.playback`           rerun recordings and headless pictures
-`hh_exudyn.figures`            figures of one patch, of conicity, of tracks and lines, of wheel forces
+`hh_exudyn.figures`            figures of patches, conicity, tracks and lines, vehicles, wheel forces
 `hh_exudyn.cli`                the command ``hh-exudyn``
 =============================  ====================================================================
 
