@@ -14,7 +14,7 @@ from the logs alone; playback and figures show both. Read in this order:
 `damage`                       wear depth and rolling contact fatigue from the contact log
 `hh_exudyn.assessment`         forces and accelerations of a run after UIC 518 / EN 14363
 `hh_exudyn.playback`           rerun recordings and headless pictures
-`hh_exudyn.figures`            figures of a patch, of conicity, tracks, wheel forces, assessment, curving
+`hh_exudyn.figures`            figures of patches, conicity, tracks, vehicles, forces, assessment, curving
 `hh_exudyn.cli`                the command ``hh-exudyn``
 =============================  ====================================================================
 

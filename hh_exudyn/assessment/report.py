@@ -48,8 +48,8 @@ from hh_exudyn.assessment.signals import (
 from hh_exudyn.case import Case
 from hh_exudyn.log.store import Run
 from hh_exudyn.log.wheel_forces import WheelForces, wheel_forces
-from vehicles.catalogue import vehicle as described_vehicle
 from vehicles.description import Vehicle
+from vehicles.stored import from_json
 
 FloatArray = NDArray[np.float64]
 
@@ -229,7 +229,8 @@ def assess(run: Run, vehicle: int = 1, section_length: float | None = None) -> A
     _check_interval(forces)
     covered = float(forces.s[0].max()), float(forces.s[-1].min())
     sections = cut_sections(case.alignment(), covered, section_length)
-    of_vehicle = described_vehicle(case.vehicle)
+    kept = run.vehicle_text
+    of_vehicle = case.described_vehicle() if kept is None else from_json(kept)
     raw = _sum_y(forces)
     f0 = _peak_frequency(raw, forces.interval)
     histories = _force_histories(forces, covered) | _acceleration_histories(run, of_vehicle, f0)
