@@ -1,4 +1,4 @@
-"""A dip in the track: the wagon's bounce dies away as dry friction says, by a constant step, and then stops."""
+"""A dip in the track: the wagon's bounce dies away by a constant step, as dry friction says, and stops."""
 
 import math
 from dataclasses import replace
@@ -67,7 +67,8 @@ def test_deflection_and_bounce_of_set_a(bounce):
     wedge = next(c for c in wagon.couplings if isinstance(c, Wedge))
     sprung = sum(body.mass for body in wagon.bodies if body.kind in ("car_body", "bolster"))
     stiffness = 4 * (nest.second_stiffness + 2 * wedge.spring_stiffness)
-    assert sprung * 9.81 / stiffness == pytest.approx(0.0565, rel=2e-3)
+    deflection = (sprung * 9.81 - 8 * wedge.preload) / stiffness
+    assert deflection == pytest.approx(0.0565, rel=5e-3)  # its 110.4 t sprung are here 112.4 t, and preloaded
     at, _ = turning_points(time, height)
     frequency = 0.5 / np.diff(at[:4]).mean()
     # the track under the wheels takes a few per cent off the springs' 2.10 Hz
@@ -87,7 +88,7 @@ def test_bounce_dies_away_by_a_constant_step(bounce):
     nest = next(c for c in wagon.couplings if isinstance(c, SpringNest))
     stiffness = 4 * (nest.second_stiffness + 2 * c.spring_stiffness)
     friction = sum(FRICTION * c.normal_force(force, motion) for motion in (1, -1)) / 2
-    # a body between springs of k and friction F loses 4 F / k of its swing in each half cycle's two halves
+    # the amplitude loses 2 F / k each half cycle, so the swing from turn to turn 8 F / k in a whole one
     expected = 8 * len(wedges) * friction / stiffness
-    print(swings, steps, expected)
-    assert steps == pytest.approx(expected, rel=0.2)
+    assert steps == pytest.approx(expected, rel=0.05)
+    assert swings[2] / swings[0] > 1.5 * swings[4] / swings[2]  # no exponential decay
