@@ -28,6 +28,41 @@ class AxleBoxPad:
 
 
 @dataclass(frozen=True)
+class AxleBox:
+    """Axle box in a side frame's pedestal: the frame (A) stands on a pad on the box of a wheelset (B).
+
+    The pad shears elastically until the dry friction of its seat, friction times its load, gives way; it then
+    slides as far as the pedestal's clearance, longitudinal or lateral, where the stop takes over. It cannot
+    pull. The wheelset spins freely.
+    """
+
+    name: str
+    body_a: str
+    body_b: str
+    point: Vector  # on the axle's centre line [m]
+    stiffness: Vector  # shear, shear and compression of the pad [N/m]
+    damping: Vector  # [N s/m]
+    roll_stiffness: float  # [N m/rad]
+    yaw_stiffness: float  # [N m/rad]
+    friction: float  # of the pad on its seat
+    longitudinal_clearance: float  # to either side [m]
+    lateral_clearance: float  # to either side [m]
+    stop_stiffness: float  # of the pedestal [N/m]
+
+    def __post_init__(self) -> None:
+        if not all(value > 0.0 for value in self.stiffness):
+            raise ValueError(f"axle box {self.name}: stiffness {self.stiffness} N/m must be > 0")
+        for quantity, value, unit in (
+            ("friction", self.friction, ""),
+            ("longitudinal_clearance", self.longitudinal_clearance, " m"),
+            ("lateral_clearance", self.lateral_clearance, " m"),
+            ("stop_stiffness", self.stop_stiffness, " N/m"),
+        ):
+            if not value >= 0.0:
+                raise ValueError(f"axle box {self.name}: {quantity} {value}{unit} must be >= 0")
+
+
+@dataclass(frozen=True)
 class SpringNest:
     """Two-stage load springs between a side frame (A) and a bolster end (B), with lateral stops."""
 
@@ -38,11 +73,11 @@ class SpringNest:
     first_stiffness: float  # vertical, outer coils alone [N/m]
     second_stiffness: float  # vertical, all coils [N/m]
     second_from: float  # compression at which the inner coils touch [m]
-    longitudinal_stiffness: float  # shear of the coils and guidance by the columns [N/m]
+    longitudinal_stiffness: float  # shear of the coils [N/m]
     lateral_stiffness: float  # shear of the coils [N/m]
     roll_stiffness: float  # [N m/rad]
     pitch_stiffness: float  # [N m/rad]
-    warp_stiffness: float  # yaw of the bolster in the side frame [N m/rad]
+    warp_stiffness: float  # yaw of the bolster in the side frame, of the coils alone [N m/rad]
     shear_damping: float  # longitudinal and lateral [N s/m]
     vertical_damping: float  # [N s/m]
     roll_damping: float  # [N m s/rad]
@@ -56,7 +91,19 @@ class SpringNest:
 class Wedge:
     """Friction wedge between a side frame's column (A) and a bolster's slope (B), see `force_laws.wedge`.
 
-    Raises ValueError where the wedge would jam: tan(slope + ratio atan(slope_friction)) <= friction.
+    It lies on the column along two lines, `width` apart, and on half its spring at each: when the bolster
+    warps in the side frame, one line goes down and the other up (the wedge rolls about the bogie's axis), and
+    their friction resists.
+
+    Statics in the vertical plane, with a the slope's angle including its mobilised friction, t the toe, Fs
+    the spring force, N2 and T the column's normal force and its friction along the face: from
+
+        N1 cos a = N2 cos t - T sin t,    Fs + N2 sin t + T cos t = N1 sin a
+
+    follows N2 = (Fs cos a / cos(a - t) + T) / tan(a - t): the law of a wedge without toe of the slope a - t
+    on a spring that is softer by cos a / cos(a - t). Without toe it is that of sources: vehicles.md 1.3.
+
+    Raises ValueError where the wedge would jam: tan(slope + ratio atan(slope_friction) - toe) <= friction.
     """
 
     name: str
@@ -67,6 +114,9 @@ class Wedge:
     spring_stiffness: float  # control spring [N/m]
     preload: float  # of the control spring on the drawing [N]
     slope: float  # angle of the bolster's face from the vertical [rad]
+    toe: float  # angle of the column's face from the vertical, > 0 where the columns close downwards [rad]
+    width: float  # between its two lines of contact [m]
+    wear: float  # of column and wedge together, perpendicular to the column: the wedge has risen [m]
     friction: float  # of the column
     slope_friction: float  # of the slope
     slope_friction_ratio: float  # share of the slope's friction that is mobilised, -1..1
@@ -74,25 +124,44 @@ class Wedge:
     stick_damping: float  # [N s/m]
 
     @property
+    def force_slope(self) -> float:
+        """Angle of the bolster's force on the wedge, its friction included: a + r atan(mu1) [rad]."""
+        return self.slope + self.slope_friction_ratio * math.atan(self.slope_friction)
+
+    @property
     def tan_slope(self) -> float:
-        """tan(a + r atan(mu1)), the ratio of the wedge's vertical to its column force."""
-        return math.tan(self.slope + self.slope_friction_ratio * math.atan(self.slope_friction))
+        """tan(a - t), slope against column."""
+        return math.tan(self.force_slope - self.toe)
+
+    @property
+    def spring_share(self) -> float:
+        """cos a / cos(a - t), the share of the control spring's force that works along the column."""
+        return math.cos(self.force_slope) / math.cos(self.force_slope - self.toe)
+
+    @property
+    def compression(self) -> float:
+        """Compression of the control spring on the drawing: its preload less the wedge's rise by wear [m]."""
+        rise = self.wear / math.cos(self.toe) / (math.tan(self.slope) - math.tan(self.toe))
+        return self.preload / self.spring_stiffness - rise
 
     def __post_init__(self) -> None:
+        for quantity, value in (("width", self.width), ("wear", self.wear)):
+            if not value >= 0.0:
+                raise ValueError(f"wedge {self.name}: {quantity} {value} m must be >= 0")
         if not -1.0 <= self.slope_friction_ratio <= 1.0:
             raise ValueError(
                 f"wedge {self.name}: slope_friction_ratio {self.slope_friction_ratio} must be -1..1"
             )
         if self.tan_slope <= self.friction:
             raise ValueError(
-                f"wedge {self.name} jams: tan(slope) {self.tan_slope:.3f} (slope "
-                f"{math.degrees(self.slope):.1f} deg, slope friction {self.slope_friction}) must exceed the "
-                f"column friction {self.friction}"
+                f"wedge {self.name} jams: tan(slope - toe) {self.tan_slope:.3f} (slope "
+                f"{math.degrees(self.slope):.1f} deg, toe {math.degrees(self.toe):.1f} deg, slope friction "
+                f"{self.slope_friction}) must exceed the column friction {self.friction}"
             )
 
     def normal_force(self, spring_force: float, motion: int) -> float:
         """Column force N2 [N] in sliding; motion +1 loading, -1 unloading (sources: vehicles.md 1.3)."""
-        return spring_force / (self.tan_slope - motion * self.friction)
+        return self.spring_share * spring_force / (self.tan_slope - motion * self.friction)
 
 
 @dataclass(frozen=True)
@@ -233,4 +302,4 @@ class BumpStop:
             )
 
 
-Coupling = AxleBoxPad | SpringNest | Wedge | CentrePlate | SideBearer | Bushing | Rod | BumpStop
+Coupling = AxleBoxPad | AxleBox | SpringNest | Wedge | CentrePlate | SideBearer | Bushing | Rod | BumpStop

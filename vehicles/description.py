@@ -7,11 +7,16 @@ unloaded. What lies between the bodies: `couplings`.
 import math
 from dataclasses import dataclass
 
-from vehicles.couplings import AxleBoxPad, BumpStop, Coupling, Rod, Vector
+from vehicles.couplings import AxleBox, AxleBoxPad, BumpStop, Coupling, Rod, Vector
 from vehicles.soundness import require_sound
 
 BODY_KINDS = ("car_body", "bogie_frame", "bolster", "side_frame", "motor", "wheelset")
-_ON_AN_AXLE = (AxleBoxPad, Rod, BumpStop)  # couplings that do not feel the spin of a wheelset as their body B
+_ON_AN_AXLE = (
+    AxleBox,
+    AxleBoxPad,
+    Rod,
+    BumpStop,
+)  # couplings that do not feel the spin of a wheelset as their body B
 
 
 @dataclass(frozen=True)

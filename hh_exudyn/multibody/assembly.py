@@ -28,6 +28,7 @@ from track.alignment import Alignment, inclined_frame
 from track.flexibility import track_flexibility
 from track.irregularity_table import IrregularityTable, smooth_track
 from vehicles.couplings import (
+    AxleBox,
     AxleBoxPad,
     BumpStop,
     Bushing,
@@ -156,6 +157,17 @@ def _pack(coupling: Coupling) -> tuple[Kind, list[float]]:
     match c:
         case AxleBoxPad():
             return Kind.AXLE_BOX_PAD, [*c.stiffness, *c.damping, c.roll_stiffness, c.yaw_stiffness]
+        case AxleBox():
+            return Kind.AXLE_BOX, [
+                *c.stiffness,
+                *c.damping,
+                c.roll_stiffness,
+                c.yaw_stiffness,
+                c.friction,
+                c.longitudinal_clearance,
+                c.lateral_clearance,
+                c.stop_stiffness,
+            ]
         case SpringNest():
             return Kind.SPRING_NEST, [
                 c.first_stiffness,
@@ -178,12 +190,16 @@ def _pack(coupling: Coupling) -> tuple[Kind, list[float]]:
             return Kind.WEDGE, [
                 float(c.direction),
                 c.spring_stiffness,
-                c.preload / c.spring_stiffness,
+                c.spring_share,
+                c.compression,
+                math.tan(c.slope),
+                c.toe,
+                math.tan(c.force_slope),
                 c.tan_slope,
                 c.friction,
                 c.stick_stiffness,
                 c.stick_damping,
-                math.tan(c.slope),
+                c.width,
             ]
         case CentrePlate():
             return Kind.CENTRE_PLATE, [

@@ -58,37 +58,55 @@ def wedge(
     p: FloatArray,
     d: Triple,
     v: Triple,
+    angle: Triple,
+    turn: Triple,
     slider: FloatArray,
     settle: bool,
     new_slider: FloatArray,
     work: Workspace,
-) -> Triple:
-    """Wedge: it goes down with the bolster, and when the bolster moves towards its column.
+) -> tuple[Triple, Triple]:
+    """Wedge on two lines: each goes down with the bolster there, and when that comes towards the column.
 
-    Its way follows the slope of the face, its force that slope with the friction of the face.
+    Its way follows slope and toe of the faces, its force the slope with the friction of the face; half of
+    spring and friction belongs to each line (sliders: compression and lateral of the first, of the second).
     """
-    direction, spring_stiffness, drawing_compression, tan_slope = p[0], p[1], p[2], p[3]
-    friction, stick_stiffness, stick_damping, tan_face = p[4], p[5], p[6], p[7]
-    compression = drawing_compression - d[2] + direction * d[0] / tan_face
-    compression_rate = -v[2] + direction * v[0] / tan_face
-    slider_compression = compression if settle else slider[0]
-    lift, lateral, new_slider[0], new_slider[1] = force_laws.wedge(
-        compression,
-        d[1],
-        slider_compression,
-        slider[1],
-        compression_rate,
-        v[1],
-        spring_stiffness,
-        tan_slope,
-        friction,
-        stick_stiffness,
-        stick_damping,
-    )
-    force = (-direction * lift / tan_slope, lateral, lift)
-    taken = -(force[0] * v[0] + force[1] * v[1] + force[2] * v[2])
-    work.ledger[_FRICTION] += taken - spring_stiffness * max(compression, 0.0) * compression_rate
-    return force
+    direction, stiffness, spring_share, drawing_compression = p[0], 0.5 * p[1], p[2], p[3]
+    tan_face, toe, tan_force, tan_slope = p[4], p[5], p[6], p[7]
+    friction, stick_stiffness, stick_damping = p[8], 0.5 * p[9], 0.5 * p[10]
+    tan_toe, cos_toe = math.tan(toe), math.cos(toe)
+    force_x, force_y, force_z = 0.0, 0.0, 0.0
+    moment_x, moment_z = 0.0, 0.0
+    for line in range(2):
+        y = p[11] * (0.5 - line)  # from the wedge's middle
+        ahead, ahead_rate = d[0] - angle[2] * y, v[0] - turn[2] * y
+        up, up_rate = d[2] + angle[0] * y, v[2] + turn[0] * y
+        along = (direction * ahead - up * tan_face) / (tan_face - tan_toe)
+        compression = drawing_compression + along
+        compression_rate = (direction * ahead_rate - up_rate * tan_face) / (tan_face - tan_toe)
+        slid = compression / cos_toe if settle else slider[2 * line]
+        column, rub, lateral, new_slider[2 * line], new_slider[2 * line + 1] = force_laws.wedge(
+            compression / cos_toe,
+            d[1],
+            slid,
+            slider[2 * line + 1],
+            compression_rate / cos_toe,
+            v[1],
+            stiffness * spring_share * cos_toe,
+            tan_slope,
+            friction,
+            stick_stiffness,
+            stick_damping,
+        )
+        push = column * cos_toe - rub * math.sin(toe)  # of the wedge, from the column onto the bolster
+        lift = push * tan_force
+        force_x -= direction * push
+        force_y += lateral
+        force_z += lift
+        moment_x += lift * y
+        moment_z += direction * push * y
+        taken = direction * push * ahead_rate - lateral * v[1] - lift * up_rate
+        work.ledger[_FRICTION] += taken - stiffness * max(compression, 0.0) * compression_rate
+    return (force_x, force_y, force_z), (moment_x, 0.0, moment_z)
 
 
 @inlined_kernel
@@ -125,7 +143,17 @@ def plate(
             moment_x += force * y
             moment_y -= force * x
     force_x, force_y, new_slider[0], new_slider[1] = dry_friction(
-        d[0], d[1], slider[0], slider[1], v[0], v[1], stick_stiffness, stick_damping, friction * load
+        d[0],
+        d[1],
+        slider[0],
+        slider[1],
+        v[0],
+        v[1],
+        stick_stiffness,
+        stick_stiffness,
+        stick_damping,
+        stick_damping,
+        friction * load,
     )
     # two thirds of the radius: friction torque of a uniformly loaded flat disc
     arm = 2.0 / 3.0 * radius
@@ -137,6 +165,8 @@ def plate(
         turn[2],
         0.0,
         stick_stiffness * arm**2,
+        stick_stiffness * arm**2,
+        stick_damping * arm**2,
         stick_damping * arm**2,
         friction * load * arm,
     )
@@ -163,7 +193,17 @@ def side_bearer(
         load = max(spring - damping * v[2], 0.0)
         work.ledger[_DAMPER] -= (load - spring) * v[2]
     force_x, force_y, new_slider[0], new_slider[1] = dry_friction(
-        d[0], d[1], slider[0], slider[1], v[0], v[1], stick_stiffness, stick_damping, friction * load
+        d[0],
+        d[1],
+        slider[0],
+        slider[1],
+        v[0],
+        v[1],
+        stick_stiffness,
+        stick_stiffness,
+        stick_damping,
+        stick_damping,
+        friction * load,
     )
     work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1]
     return force_x, force_y, load

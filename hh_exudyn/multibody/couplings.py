@@ -8,7 +8,7 @@ themselves: `general_couplings` and `bogie_couplings`.
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import inlined_kernel, kernel
 from hh_exudyn.multibody.bogie_couplings import nest, plate, side_bearer, wedge
-from hh_exudyn.multibody.general_couplings import bump_stop, bushing, pad, rod
+from hh_exudyn.multibody.general_couplings import axle_box, bump_stop, bushing, pad, rod
 from hh_exudyn.multibody.model import Couplings, Kind, Workspace
 from hh_exudyn.multibody.vectors import Triple, add_to, cross, rotate, rotate_back, triple
 
@@ -19,6 +19,7 @@ _PLATE = int(Kind.CENTRE_PLATE)
 _SIDE_BEARER = int(Kind.SIDE_BEARER)
 _BUSHING = int(Kind.BUSHING)
 _ROD = int(Kind.ROD)
+_AXLE_BOX = int(Kind.AXLE_BOX)
 
 
 @inlined_kernel
@@ -58,11 +59,20 @@ def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, wor
         moment = (0.0, 0.0, 0.0)
         if kind == _PAD:
             force, moment = pad(parameters, displacement, rate, rotation_a, work.rotation[b], work)
-        elif kind == _WEDGE:
-            force = wedge(parameters, displacement, rate, sliders[i], settle, work.new_sliders[i], work)
+        elif kind == _AXLE_BOX:
+            force, moment = axle_box(
+                parameters,
+                displacement,
+                rate,
+                rotation_a,
+                work.rotation[b],
+                sliders[i],
+                work.new_sliders[i],
+                work,
+            )
         elif kind == _SIDE_BEARER:
             force = side_bearer(parameters, displacement, rate, sliders[i], work.new_sliders[i], work)
-        elif kind in (_NEST, _PLATE, _BUSHING):
+        elif kind in (_NEST, _WEDGE, _PLATE, _BUSHING):
             angle = _relative_rotation(rotation_a, work.rotation[b])
             turn = rotate_back(
                 rotation_a,
@@ -74,6 +84,18 @@ def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, wor
             )
             if kind == _NEST:
                 force, moment = nest(parameters, displacement, rate, angle, turn, work)
+            elif kind == _WEDGE:
+                force, moment = wedge(
+                    parameters,
+                    displacement,
+                    rate,
+                    angle,
+                    turn,
+                    sliders[i],
+                    settle,
+                    work.new_sliders[i],
+                    work,
+                )
             elif kind == _PLATE:
                 force, moment = plate(
                     parameters, displacement, rate, angle, turn, sliders[i], work.new_sliders[i], work

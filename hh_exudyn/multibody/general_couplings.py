@@ -1,4 +1,4 @@
-"""Forces of couplings that any vehicle may have: axle-box pad, bushing, rod, bump stop.
+"""Forces of couplings that any vehicle may have: axle-box pad, axle box, bushing, rod, bump stop.
 
 Each takes displacement and velocity of body B relative to A in the axes of A (see `couplings`), adds what is
 lost to the ledger, and returns the force on B, and a moment where it has one.
@@ -10,8 +10,9 @@ from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import inlined_kernel
 from hh_exudyn.multibody.model import Ledger, Workspace
 from hh_exudyn.multibody.vectors import Triple, rotate_back
-from vehicles.force_laws import tabulated_stop
+from vehicles.force_laws import clearance_stop, dry_friction, tabulated_stop
 
+_FRICTION = int(Ledger.FRICTION_POWER)
 _DAMPER = int(Ledger.DAMPER_POWER)
 
 
@@ -29,6 +30,49 @@ def pad(
             -stiffness[0] * d[0] - damping[0] * v[0],
             -stiffness[1] * d[1] - damping[1] * v[1],
             -stiffness[2] * d[2] - damping[2] * v[2],
+        ),
+        (-roll_stiffness * axle[2], 0.0, yaw_stiffness * axle[0]),
+    )
+
+
+@inlined_kernel
+def axle_box(
+    p: FloatArray,
+    d: Triple,
+    v: Triple,
+    rotation_a: FloatArray,
+    rotation_b: FloatArray,
+    slider: FloatArray,
+    new_slider: FloatArray,
+    work: Workspace,
+) -> tuple[Triple, Triple]:
+    """Pad that shears until its seat slides, and the pedestal's stops; moments as those of `pad`."""
+    stiffness, damping = (p[0], p[1], p[2]), (p[3], p[4], p[5])
+    roll_stiffness, yaw_stiffness = p[6], p[7]
+    friction, longitudinal_clearance, lateral_clearance, stop_stiffness = p[8], p[9], p[10], p[11]
+    spring = stiffness[2] * max(d[2], 0.0)
+    load = max(spring + damping[2] * v[2], 0.0) if d[2] > 0.0 else 0.0
+    work.ledger[_DAMPER] += (load - spring) * v[2]
+    force_x, force_y, new_slider[0], new_slider[1] = dry_friction(
+        d[0],
+        d[1],
+        slider[0],
+        slider[1],
+        v[0],
+        v[1],
+        stiffness[0],
+        stiffness[1],
+        damping[0],
+        damping[1],
+        friction * load,
+    )
+    work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1]
+    axle = rotate_back(rotation_a, (rotation_b[0, 1], rotation_b[1, 1], rotation_b[2, 1]))
+    return (
+        (
+            force_x + clearance_stop(d[0], longitudinal_clearance, stop_stiffness),
+            force_y + clearance_stop(d[1], lateral_clearance, stop_stiffness),
+            -load,
         ),
         (-roll_stiffness * axle[2], 0.0, yaw_stiffness * axle[0]),
     )

@@ -47,6 +47,7 @@ class Kind(IntEnum):
     BUSHING = 5
     ROD = 6
     BUMP_STOP = 7
+    AXLE_BOX = 8
 
 
 class Ledger(IntEnum):
@@ -59,7 +60,7 @@ class Ledger(IntEnum):
     DAMPER_POWER = 4
 
 
-SLIDERS = 3  # slider coordinates reserved for each coupling
+SLIDERS = 4  # slider coordinates reserved for each coupling
 PARAMETERS = 25  # numbers reserved for each coupling
 
 
