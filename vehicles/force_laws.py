@@ -9,6 +9,9 @@ it implies is committed once the step is accepted. There is no sign() of a veloc
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+
 from hh_exudyn.kernel import kernel
 
 
@@ -36,6 +39,28 @@ def clearance_stop(displacement: float, clearance: float, stiffness: float) -> f
     if displacement < -clearance:
         return -stiffness * (displacement + clearance)
     return 0.0
+
+
+@kernel
+def tabulated_stop(displacement: float, table: NDArray[np.float64], points: int) -> float:
+    """Force [N] against a displacement [m] from a table, linear between its points.
+
+    Parameters
+    ----------
+    displacement : into the stop [m]
+    table : (2 or more x points,) displacement [m], force [N], displacement, force, ...; displacements rise
+    points : number of points, 2 or more
+
+    Before the first point the force is that of the first, beyond the last it goes on as between the last two.
+    """
+    if displacement <= table[0]:
+        return table[1]
+    k = 0
+    while k < points - 2 and displacement > table[2 * k + 2]:
+        k += 1
+    start, end = table[2 * k], table[2 * k + 2]
+    low, high = table[2 * k + 1], table[2 * k + 3]
+    return low + (high - low) * (displacement - start) / (end - start)
 
 
 @kernel

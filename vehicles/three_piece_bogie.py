@@ -2,20 +2,13 @@
 
 import math
 
-from vehicles.description import (
-    AxleBoxPad,
-    Body,
-    CentrePlate,
-    Coupling,
-    SideBearer,
-    SpringNest,
-    Vector,
-    Wedge,
-    Wheelset,
-)
+from vehicles.couplings import AxleBoxPad, CentrePlate, Coupling, SideBearer, SpringNest, Vector, Wedge
+from vehicles.description import Body, Wheelset
 from vehicles.parameters import ParameterSet
 
 SIDES = ((1, "L"), (-1, "R"))
+SPRING_DEFLECTION = 0.03  # m, between empty and loaded: where the equilibrium is looked for
+PAD_DEFLECTION = 1e-3
 
 
 def bogie_bodies(p: ParameterSet, number: int, middle: float) -> tuple[Body, ...]:
@@ -27,6 +20,7 @@ def bogie_bodies(p: ParameterSet, number: int, middle: float) -> tuple[Body, ...
         p["bolster.mass"],
         (p["bolster.roll_inertia"], p["bolster.pitch_inertia"], p["bolster.yaw_inertia"]),
         (middle, 0.0, p["bolster.height"]),
+        SPRING_DEFLECTION,
     )
     side_frames = tuple(
         Body(
@@ -35,6 +29,7 @@ def bogie_bodies(p: ParameterSet, number: int, middle: float) -> tuple[Body, ...
             p["side_frame.mass"],
             (p["side_frame.roll_inertia"], p["side_frame.pitch_inertia"], p["side_frame.yaw_inertia"]),
             (middle, side * spacing, p["side_frame.height"]),
+            PAD_DEFLECTION,
         )
         for side, letter in SIDES
     )

@@ -15,9 +15,9 @@ from coupling_bench import (
 )
 from scipy.spatial.transform import Rotation
 
-from hh_exudyn.multibody.couplings import RING_POINTS
+from hh_exudyn.multibody.bogie_couplings import RING_POINTS
 from hh_exudyn.multibody.model import Ledger
-from vehicles.description import AxleBoxPad, CentrePlate, SideBearer, SpringNest, Wedge
+from vehicles.couplings import AxleBoxPad, CentrePlate, SideBearer, SpringNest, Wedge
 
 
 def test_pads_do_not_feel_wheel_spin(demo, rest):

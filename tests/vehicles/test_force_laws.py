@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vehicles.description import Wedge
+from vehicles.couplings import Wedge
 from vehicles.force_laws import clearance_stop, dry_friction, two_stage_spring, wedge
 
 STIFF = 1.0e7
