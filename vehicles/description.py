@@ -23,6 +23,7 @@ class Body:
     inertia: Vector  # about x, y, z through the centre of mass [kg m^2]
     position: Vector  # of the centre of mass on the drawing [m]
     deflection: float = 0.0  # downwards under load, roughly: where the static equilibrium is looked for [m]
+    weight: float | None = None  # [N], of a body that is held from outside; else its mass times g
 
     def __post_init__(self) -> None:
         if self.kind not in BODY_KINDS:
@@ -60,6 +61,28 @@ class Wheelset:
 
 
 @dataclass(frozen=True)
+class GivenContact:
+    """Wheel-rail contact as reference models state it: two creep coefficients and a conicity.
+
+    Raises ValueError for a coefficient <= 0, a distance not in 0.4 .. 1.1 m or a conicity not in 0 .. 0.5.
+    """
+
+    longitudinal: float  # F_x = -longitudinal nu_x of one wheel [N]
+    lateral: float  # F_y = -lateral nu_y of one wheel [N]
+    conicity: float  # [-]
+    half_distance: float  # of the two contacts [m]
+
+    def __post_init__(self) -> None:
+        for quantity in ("longitudinal", "lateral"):
+            if not getattr(self, quantity) > 0.0:
+                raise ValueError(f"given contact: {quantity} = {getattr(self, quantity)} N, must be > 0 N")
+        for quantity, low, high, unit in (("half_distance", 0.4, 1.1, " m"), ("conicity", 0.0, 0.5, "")):
+            value = getattr(self, quantity)
+            if not low <= value <= high:
+                raise ValueError(f"given contact: {quantity} = {value}{unit}, allowed {low} .. {high}{unit}")
+
+
+@dataclass(frozen=True)
 class Vehicle:
     """A vehicle on the drawing. `wheelsets` run from the leading end."""
 
@@ -69,6 +92,7 @@ class Vehicle:
     wheelsets: tuple[Wheelset, ...]
     coupler: Coupler
     dimensions: dict[str, float]  # for drawings: lengths [m] by name
+    contact: GivenContact | None = None  # what a case gets whose theory is "given"
 
     def __post_init__(self) -> None:
         names = [body.name for body in self.bodies]
