@@ -32,11 +32,12 @@ from hh_exudyn.case_alignment import (
     TransitionCase,
     gauges_mm,
 )
-from hh_exudyn.case_errors import CaseError, closest, explain
+from hh_exudyn.case_errors import CaseError, explain
 from hh_exudyn.case_fields import CaseTable, from_folder, is_path, number
 from hh_exudyn.case_friction import FrictionCase, FrictionSectionCase, SurfaceCase
 from hh_exudyn.case_rails import read_profile
 from hh_exudyn.case_tables import ContactCase, IntegrationCase, TrackCase
+from hh_exudyn.case_vehicle import VehicleCase, VehicleField, described, resolved, start_in
 from hh_exudyn.contact.friction import FrictionTable, constant_friction
 from hh_exudyn.contact.given import given_contact_model
 from hh_exudyn.contact.profile import Profile, read_wheel_profile, wheel_profile
@@ -45,8 +46,6 @@ from hh_exudyn.contact.types import GivenCreep, WheelRailModel
 from hh_exudyn.contact.wheel_rail import wheel_rail_model
 from hh_exudyn.conventions import BACK_TO_BACK, LEFT, RIGHT
 from track.alignment import Alignment
-from vehicles.catalogue import VEHICLES
-from vehicles.catalogue import vehicle as vehicle_by_name
 from vehicles.description import Vehicle
 
 __all__ = [
@@ -64,6 +63,7 @@ __all__ = [
     "SurfaceCase",
     "TrackCase",
     "TransitionCase",
+    "VehicleCase",
     "read_case",
 ]
 
@@ -86,7 +86,9 @@ _Friction = Annotated[
 class Case(CaseTable):
     """One vehicle on one track: what a run is made from.
 
-    Attributes carry their units; see the field bounds for the allowed ranges. `wheel_profile` is a published
+    Attributes carry their units; see the field bounds for the allowed ranges. `vehicle` is a name of the
+    catalogue or a variant; the path of a vehicle file becomes the table of what it changes
+    (`hh_exudyn.case_vehicle`). `wheel_profile` is a published
     profile (``"S1002"``) or the path of a profile file. `friction` is one coefficient for all patches, or a
     table where it is not the same everywhere (`hh_exudyn.case_friction`).
 
@@ -97,7 +99,7 @@ class Case(CaseTable):
     """
 
     name: str = Field(min_length=1, json_schema_extra={"allowed": "a text"})
-    vehicle: str = "iore_wagon_loaded"
+    vehicle: VehicleField = "iore_wagon_loaded"
     speed_km_h: float = number("km/h", 5, 130)
     friction: _Friction = Field(json_schema_extra={"allowed": "0.01 to 1, or a table [friction]"})
     wheel_profile: str = "S1002"
@@ -113,12 +115,10 @@ class Case(CaseTable):
             except ValidationError as error:
                 raise CaseError(explain(error, Case)) from None
 
-    @field_validator("vehicle")
+    @field_validator("vehicle", mode="before")
     @classmethod
-    def _check_vehicle(cls, value: str) -> str:
-        if value not in VEHICLES:
-            raise ValueError(f"allowed {', '.join(sorted(VEHICLES))}{closest(value, VEHICLES)}")
-        return value
+    def _resolve_vehicle(cls, value: Any) -> Any:
+        return resolved(value)
 
     @field_validator("wheel_profile")
     @classmethod
@@ -168,7 +168,7 @@ class Case(CaseTable):
                         "the length of the track"
                     )
             if self.friction.lubricated_wheelsets:
-                self.friction_table(len(vehicle_by_name(self.vehicle).wheelsets))
+                self.friction_table(len(self.described_vehicle().wheelsets))
         return self
 
     @property
@@ -202,6 +202,10 @@ class Case(CaseTable):
             return self.friction.table(wheelsets)
         return constant_friction([[self.friction, self.friction]] * wheelsets)
 
+    def described_vehicle(self) -> Vehicle:
+        """The description of the vehicle, that of the catalogue or of a variant."""
+        return described(self.vehicle)
+
     def contact_model(self, vehicle: Vehicle | None = None) -> WheelRailModel:
         """The contact of every wheel of the run, for the run and for whoever solves logged patches again.
 
@@ -215,7 +219,7 @@ class Case(CaseTable):
         ValueError
             The wheels of the vehicle differ in radius, or the theory is "given" and the vehicle states none.
         """
-        vehicle = vehicle or vehicle_by_name(self.vehicle)
+        vehicle = vehicle or self.described_vehicle()
         radii = {wheelset.radius for wheelset in vehicle.wheelsets}
         if len(radii) > 1:
             raise ValueError(f"vehicle {vehicle.name}: wheel radii {sorted(radii)} m must be equal")
@@ -312,6 +316,7 @@ def _start_in(folder: Path, data: dict[str, Any]) -> None:
     """Relative paths in a raw case start at its folder; names of built-in things stay as they are."""
     track = data.get("track")
     track = track if isinstance(track, dict) else {}
+    start_in(folder, data)
     sections = track.get("sections")
     for table in (data, track, *(sections if isinstance(sections, list) else ())):
         for key in _FILES:

@@ -114,22 +114,22 @@ def check(option: str, value: float, low: float, high: float, unit: str) -> None
         )
 
 
-def require_new_figure(path: Path | None) -> None:
+def require_new_figure(path: Path | None, option: str = "--out") -> None:
     """Refuse a figure that cannot be written, before any work."""
     if path is None:
         return
     if path.suffix.lower() not in FIGURES:
-        raise Refused(f"--out {path}: allowed are {', '.join(FIGURES)}")
+        raise Refused(f"{option} {path}: allowed are {', '.join(FIGURES)}")
     if path.exists():
-        raise Refused(f"--out {path}: exists already, allowed is a new file")
+        raise Refused(f"{option} {path}: exists already, allowed is a new file")
     if not path.parent.is_dir():
-        raise Refused(f"--out {path}: there is no folder {path.parent}")
+        raise Refused(f"{option} {path}: there is no folder {path.parent}")
 
 
-def write_figure(figure: "Figure", path: Path) -> None:
+def write_figure(figure: "Figure", path: Path, option: str = "--out") -> None:
     """Write a figure and say where it is."""
     try:
         figure.savefig(path, dpi=150)
     except OSError as error:
-        raise Refused(f"--out {path}: {error.strerror}") from None
+        raise Refused(f"{option} {path}: {error.strerror}") from None
     out.print(f"figure: {path}")

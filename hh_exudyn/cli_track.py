@@ -144,11 +144,10 @@ def _show_case(path: Path, speed_km_h: float | None, figure: Path | None) -> Non
 
 def _irregularity(case: "Case", alignment: "Alignment") -> "Irregularity | None":
     """The irregularities of a run of the case: another length would be another random track."""
-    from vehicles.catalogue import vehicle
     from vehicles.start import start_front
 
     try:
-        return case.track.irregular(start_front(vehicle(case.vehicle)), alignment.length)
+        return case.track.irregular(start_front(case.described_vehicle()), alignment.length)
     except ValueError as error:
         raise Refused(str(error)) from None
 

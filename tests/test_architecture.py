@@ -33,22 +33,24 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "hh_exudyn.case_friction": (
         "track", "hh_exudyn.contact", "hh_exudyn.case_errors", "hh_exudyn.case_fields",
     ),
+    "hh_exudyn.case_vehicle": ("vehicles", "hh_exudyn.case_fields"),
     "hh_exudyn.case": (
         "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.case_errors", "hh_exudyn.case_tables",
         "hh_exudyn.case_fields", "hh_exudyn.case_alignment",
-        "hh_exudyn.case_friction", "hh_exudyn.case_rails",
+        "hh_exudyn.case_friction", "hh_exudyn.case_rails", "hh_exudyn.case_vehicle",
     ),
     "hh_exudyn.case_line": ("track", "hh_exudyn.case"),
     "hh_exudyn.multibody": ("hh_exudyn.case", "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.log"),
     "hh_exudyn.playback": (
         "hh_exudyn.log", "hh_exudyn.case", "hh_exudyn.contact", "damage", "vehicles", "track",
     ),
-    "hh_exudyn.figures": ("hh_exudyn.contact", "track"),
+    "hh_exudyn.figures": ("hh_exudyn.contact", "track", "vehicles"),
     "hh_exudyn.cli_output": ("hh_exudyn.case_errors",),
     "hh_exudyn.cli_contact": ("hh_exudyn.contact", "hh_exudyn.figures", "hh_exudyn.cli_output"),
     "hh_exudyn.cli_track": (
         "track", "vehicles", "hh_exudyn.case", "hh_exudyn.figures", "hh_exudyn.cli_output",
     ),
+    "hh_exudyn.cli_vehicle": ("vehicles", "hh_exudyn.figures", "hh_exudyn.cli_output"),
     "hh_exudyn.cli": PACKAGES,
     "hh_exudyn.__main__": ("hh_exudyn.cli",),
     "hh_exudyn.conventions": (),

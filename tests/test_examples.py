@@ -99,6 +99,23 @@ def test_savast(tmp_path: Path) -> None:
     assert again.endswith(text[text.index("smallest") :])
 
 
+def test_two_axle_wagon(tmp_path: Path) -> None:
+    """Both wheelsets carry the wagon; in the left-hand curve the right wheels carry more, and the leading
+    wheelset runs under-radial, its nose towards the outer rail."""
+    text = run("07_two_axle_wagon.py", tmp_path)
+    assert text.startswith("two_axle_wagon, 20.0 t, ")
+    rows = re.findall(
+        r"wheelset \d: Q ([\d.]+) / ([\d.]+) kN, Y \S+ / \S+ kN, .* (-?[\d.]+) mrad$", text, re.M
+    )
+    loads = [(float(left), float(right)) for left, right, _ in rows]
+    assert len(loads) == 2
+    assert sum(map(sum, loads)) == pytest.approx(20.0 * 9.81, rel=0.02)  # the cant adds some 0.3 %
+    assert all(right > left for left, right in loads)
+    leading, trailing = (float(attack) for *_, attack in rows)
+    assert leading < -1.0 < trailing
+    assert {path.name for path in tmp_path.iterdir()} == {"run", "wagon.png"}
+
+
 def test_every_example_is_run_here() -> None:
     source = Path(__file__).read_text()
     for path in EXAMPLES.glob("*.py"):

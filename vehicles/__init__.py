@@ -3,10 +3,14 @@
 ====================  ================================================================================
 `description`         bodies, wheelsets, vehicles: the drawing
 `couplings`           what lies between two bodies: springs, rods, stops, wedges, plates
+`soundness`           what no part of a vehicle may have
 `parameters`          parameter files, in which every number has its unit and its source
 `three_piece_bogie`   bolster, side frames, wheelsets and what couples them
 `wagon`               the LKAB iron-ore wagon
 `catalogue`           the vehicles by name
+`variants`            a vehicle with some numbers changed, said in a small file
+`statics`             axle loads of a vehicle at rest
+`stored`              a vehicle as JSON, which every run keeps of its own
 `start`               where a vehicle stands on its track when a run begins
 `force_laws`          two-stage springs, stops, dry friction, wedges: kernels of plain numbers
 ====================  ================================================================================

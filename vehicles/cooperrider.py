@@ -28,7 +28,7 @@ def cooperrider_bogie(name: str, p: ParameterSet) -> Vehicle:
         p["bogie_frame.mass"],
         (p["bogie_frame.roll_inertia"], p["bogie_frame.pitch_inertia"], p["bogie_frame.yaw_inertia"]),
         (0.0, 0.0, height),
-        weight=0.0,
+        held_weight=0.0,
     )
     top = (0.0, 0.0, height + p["secondary.rise"])
     couplings: list[Coupling] = []

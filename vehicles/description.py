@@ -7,7 +7,9 @@ unloaded. What lies between the bodies: `couplings`.
 import math
 from dataclasses import dataclass
 
+from hh_exudyn.conventions import GRAVITY
 from vehicles.couplings import AxleBoxPad, BumpStop, Coupling, Rod, Vector
+from vehicles.soundness import require_sound
 
 BODY_KINDS = ("car_body", "bogie_frame", "bolster", "side_frame", "motor", "wheelset")
 _ON_AN_AXLE = (AxleBoxPad, Rod, BumpStop)  # couplings that do not feel the spin of a wheelset as their body B
@@ -23,7 +25,7 @@ class Body:
     inertia: Vector  # about x, y, z through the centre of mass [kg m^2]
     position: Vector  # of the centre of mass on the drawing [m]
     deflection: float = 0.0  # downwards under load, roughly: where the static equilibrium is looked for [m]
-    weight: float | None = None  # [N], of a body that is held from outside; else its mass times g
+    held_weight: float | None = None  # what it weighs if it is held from outside, else None [N]
 
     def __post_init__(self) -> None:
         if self.kind not in BODY_KINDS:
@@ -32,6 +34,11 @@ class Body:
             raise ValueError(
                 f"body {self.name}: mass {self.mass} kg and inertia {self.inertia} kg m^2 must be > 0"
             )
+
+    @property
+    def weight(self) -> float:
+        """What its couplings or wheels have to carry [N]."""
+        return self.mass * GRAVITY if self.held_weight is None else self.held_weight
 
 
 @dataclass(frozen=True)
@@ -117,6 +124,7 @@ class Vehicle:
                     f"vehicle {self.name}: {type(c).__name__} {c.name} is fixed to its spinning wheelset at "
                     f"{end} m; it must be on the axle's centre line, x = {axle[0]:g} m, z = {axle[2]:g} m"
                 )
+        require_sound((*self.bodies, *self.couplings, *self.wheelsets, self.coupler))
 
     def body(self, name: str) -> Body:
         """The body of that name."""

@@ -41,7 +41,7 @@ def suspended_wheelset(name: str, p: ParameterSet) -> Vehicle:
 
 def held_body(name: str, kind: str, position: tuple[float, float, float], weight: float) -> Body:
     """A body that keeps its straight way at constant speed, and what it weighs on what carries it [N]."""
-    return Body(name, kind, HELD_MASS, (HELD_MASS, HELD_MASS, HELD_MASS), position, weight=weight)
+    return Body(name, kind, HELD_MASS, (HELD_MASS, HELD_MASS, HELD_MASS), position, held_weight=weight)
 
 
 def towed(body: str, centre: tuple[float, float, float]) -> Coupler:

@@ -1,10 +1,11 @@
-"""Figures of contact and track, as the papers show them: plain results in, matplotlib's own figures out.
+"""Figures of contact, track and vehicles, as papers show them: plain results in, matplotlib's figures out.
 
 ================  ======================================================================================
 `patch`           one patch, all theories side by side: traction, stick and slip, slip velocity, forces
 `conicity`        panels over the lateral displacement: conicity, radius difference, contact positions
 `conicity_sheet`  these panels on one sheet, for a wheel on a rail at several gauges
 `track`           a track over its length, with irregularities and quality classes; a line as shares
+`vehicle`         a vehicle to scale, side and top view, from the description that a run uses
 `wheel_forces`    Q and Y of every wheel: distributions with their ranges, and spectra
 ================  ======================================================================================
 

@@ -1,6 +1,7 @@
 """A run on disk, and reading it back.
 
     directory/case.toml                  the case that was run
+    directory/vehicle.json               the vehicle that ran, whole (`vehicles.stored`)
     directory/status.json                how the run ended
     directory/<log>/part-00000.parquet   rows of the log `contact`, `motion` or `energy`, in order of time
 
@@ -22,9 +23,10 @@ import pyarrow.parquet
 from hh_exudyn.log.recorder import PART_PATTERN, TEMPORARY_SUFFIX, Recorder, check_log_name
 from hh_exudyn.log.schema import LOGS
 
-__all__ = ["Recorder", "Run", "open_run", "remove_logs", "write_case", "write_status"]
+__all__ = ["Recorder", "Run", "open_run", "remove_logs", "write_case", "write_status", "write_vehicle"]
 
 CASE_FILE = "case.toml"
+VEHICLE_FILE = "vehicle.json"
 STATUS_FILE = "status.json"
 
 
@@ -58,6 +60,12 @@ class Run:
                 if text is not None:
                     return str(text.decode("utf-8"))
         raise FileNotFoundError(f"{self.directory} holds no {CASE_FILE} and no part with a case")
+
+    @property
+    def vehicle_text(self) -> str | None:
+        """The vehicle that ran (JSON); None in runs of versions that did not keep it."""
+        path = self.directory / VEHICLE_FILE
+        return path.read_text(encoding="utf-8") if path.is_file() else None
 
     @property
     def status(self) -> dict[str, Any]:
@@ -148,10 +156,10 @@ def open_run(directory: Path | str) -> Run:
 
 
 def remove_logs(run: Run) -> None:
-    """Remove a run's logs, status and case, and nothing else that lies in its directory."""
+    """Remove a run's logs, status, case and vehicle, and nothing else that lies in its directory."""
     for log in LOGS:
         shutil.rmtree(run.directory / log, ignore_errors=True)
-    for name in (STATUS_FILE, CASE_FILE):
+    for name in (STATUS_FILE, CASE_FILE, VEHICLE_FILE):
         (run.directory / name).unlink(missing_ok=True)
 
 
@@ -167,6 +175,11 @@ def write_case(directory: Path | str, text: str) -> None:
     if path.exists() and path.read_text(encoding="utf-8") != text:
         raise FileExistsError(f"{path} holds another case; a run is never overwritten")
     _write_text(path, text)
+
+
+def write_vehicle(directory: Path | str, text: str) -> None:
+    """Write the vehicle of a run (JSON)."""
+    _write_text(Path(directory) / VEHICLE_FILE, text)
 
 
 def write_status(directory: Path | str, status: dict[str, Any]) -> None:

@@ -15,7 +15,6 @@ from exudyn.itemInterface import (
 
 from hh_exudyn.case import Case
 from hh_exudyn.contact.types import FloatArray
-from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
     PARAMETERS,
@@ -66,9 +65,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         flexibility = flexibility.evenly_supported()
     return SystemModel(
         mass=np.array([body.mass for body in vehicle.bodies]),
-        weight=np.array(
-            [body.mass * GRAVITY if body.weight is None else body.weight for body in vehicle.bodies]
-        ),
+        weight=np.array([body.weight for body in vehicle.bodies]),
         inertia=np.array([body.inertia for body in vehicle.bodies]),
         couplings=_couplings(vehicle, numbers),
         wheelsets=np.array([numbers[wheelset.body] for wheelset in vehicle.wheelsets]),

@@ -60,12 +60,6 @@ class Linearisation(NamedTuple):
         result[n:, n:] = -self.damping / self.mass[:, None]
         return result
 
-    def part(self, kept: NDArray[np.int64]) -> "Linearisation":
-        """The same with all coordinates held but those `kept`."""
-        return Linearisation(
-            self.mass[kept], self.stiffness[np.ix_(kept, kept)], self.damping[np.ix_(kept, kept)]
-        )
-
 
 def linearise(model: SystemModel, work: Workspace, state: Equilibrium) -> Linearisation:
     """Mass, stiffness and damping about an equilibrium."""
@@ -146,49 +140,37 @@ class LinearVehicle:
         self._work = workspace(self._model)
         self._start = self._model.train.start.copy()
 
-    def _at(self, speed: float) -> tuple[SystemModel, Equilibrium]:
+    def at(self, speed: float) -> tuple[SystemModel, Workspace, Equilibrium]:
+        """Model, work space and equilibrium at a speed [m/s]. Raises NoEquilibrium where there is none."""
         train = self._model.train._replace(speed=speed, start=self._start.copy())
         model = self._model._replace(train=train)
-        return model, equilibrium(self.vehicle, model, self._work)
+        return model, self._work, equilibrium(self.vehicle, model, self._work)
 
-    def modes(
-        self, speed: float, *, undamped: bool = False, directions: Sequence[str] = DIRECTIONS
-    ) -> list[Mode]:
+    def modes(self, speed: float, *, undamped: bool = False) -> list[Mode]:
         """Oscillating modes by frequency, from `LOWEST_FREQUENCY` to `HIGHEST_FREQUENCY`.
 
         Parameters
         ----------
         speed : [m/s], > 0
         undamped : dampers and creep off: the modes of the structure on rails without friction
-        directions : those of `DIRECTIONS` in which bodies may move; with ("z", "pitch") vertical modes as
-            vertical models have them, without what comes from springs that also act lengthwise
 
         Raises
         ------
         NoEquilibrium
             There is no equilibrium at that speed.
-        ValueError
-            A direction is not known.
         """
-        if unknown := sorted(set(directions) - set(DIRECTIONS)):
-            raise ValueError(f"direction {unknown[0]!r} is not known; known: {', '.join(DIRECTIONS)}")
-        model, state = self._at(speed)
+        model, work, state = self.at(speed)
         if undamped:
             model = _without_creep(model)
-        found = linearise(model, self._work, state)
-        bodies, end = first_track(model), found.mass.size
-        moving = np.array([DIRECTIONS[k % BODY_COORDINATES] in directions for k in range(bodies)])
-        if undamped:
-            end = first_creep(model)
-        kept = np.concatenate([np.flatnonzero(moving), np.arange(bodies, end)])
-        values, vectors = _oscillations(found.part(kept), undamped)
+        found = linearise(model, work, state)
+        bodies = first_track(model)
+        values, vectors = _oscillations(found, first_creep(model) if undamped else None)
         low, high = (2 * math.pi * f for f in (LOWEST_FREQUENCY, HIGHEST_FREQUENCY))
-        chosen = []
-        for value, vector in zip(values, vectors.T, strict=True):
-            if low <= value.imag <= high and -value.real < OVERDAMPED * abs(value):
-                shape = np.zeros(found.mass.size, dtype=complex)
-                shape[kept] = vector[: kept.size]
-                chosen.append(Mode(complex(value), _scaled(shape[:bodies].reshape(-1, BODY_COORDINATES))))
+        chosen = [
+            Mode(complex(value), _scaled(vector[:bodies].reshape(-1, BODY_COORDINATES)))
+            for value, vector in zip(values, vectors.T, strict=True)
+            if low <= value.imag <= high and -value.real < OVERDAMPED * abs(value)
+        ]
         return sorted(chosen, key=lambda mode: mode.eigenvalue.imag)
 
     def growth(self, speed: float) -> tuple[float, Mode]:
@@ -245,7 +227,7 @@ def critical_speed(
 
 
 def root_locus(linear: LinearVehicle, speeds: Sequence[float]) -> ComplexArray:
-    """Eigenvalues [1/s] of the oscillating modes over speed, one column a mode, NaN where it does not oscillate.
+    """Eigenvalues [1/s] of the oscillating modes over speed, one column a mode; NaN where it is none.
 
     From speed to speed modes are joined so that the sum of the ways of all eigenvalues is least; choose
     speeds as close as the modes are.
@@ -266,12 +248,16 @@ def root_locus(linear: LinearVehicle, speeds: Sequence[float]) -> ComplexArray:
     return np.array(columns, dtype=complex).T
 
 
-def _oscillations(found: Linearisation, undamped: bool) -> tuple[ComplexArray, ComplexArray]:
-    """Eigenvalues and eigenvectors (columns, coordinates first), with the dampers or without."""
-    if not undamped:
+def _oscillations(found: Linearisation, springs: int | None) -> tuple[ComplexArray, ComplexArray]:
+    """Eigenvalues and eigenvectors (columns, coordinates first).
+
+    With a number of `springs` those of the first coordinates alone, without dampers: the rest is creep.
+    """
+    if springs is None:
         values, vectors = np.linalg.eig(found.system)
         return values.astype(complex), vectors.astype(complex)
-    squares, vectors = np.linalg.eig(found.stiffness / found.mass[:, None])
+    matrix = found.stiffness[:springs, :springs] / found.mass[:springs, None]
+    squares, vectors = np.linalg.eig(matrix)
     return 1j * np.sqrt(np.maximum(squares.real, 0.0)), vectors.astype(complex)
 
 

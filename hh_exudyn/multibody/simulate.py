@@ -14,7 +14,7 @@ from hh_exudyn.case import Case
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import Bundle
 from hh_exudyn.log.recorder import Recorder
-from hh_exudyn.log.store import Run, open_run, write_case, write_status
+from hh_exudyn.log.store import Run, open_run, write_case, write_status, write_vehicle
 from hh_exudyn.multibody.assembly import assemble, explicit_settings, exudyn_system
 from hh_exudyn.multibody.equilibrium import Equilibrium, equilibrium
 from hh_exudyn.multibody.model import SystemModel, Workspace, workspace
@@ -22,8 +22,8 @@ from hh_exudyn.multibody.recording import LogWriter
 from hh_exudyn.multibody.stability import require_stable_step
 from hh_exudyn.multibody.system import evaluate_bundle
 from hh_exudyn.multibody.watch import REASONS, Trouble, look_bundle, watch_state
-from vehicles.catalogue import vehicle as vehicle_by_name
 from vehicles.description import Vehicle
+from vehicles.stored import to_json
 
 PROGRESS_INTERVAL = 0.2  # s of wall time between two calls of the progress function
 
@@ -62,7 +62,7 @@ def simulate(
     Parameters
     ----------
     case : what to run
-    directory : where case.toml, the logs and status.json go
+    directory : where case.toml, vehicle.json, the logs and status.json go
     progress : called now and then with the fraction done (0..1) and a line of text
     vehicle : a description to run instead of the one that the case names
 
@@ -79,7 +79,7 @@ def simulate(
     KeyboardInterrupt
         Ctrl-C; the log so far is kept.
     """
-    vehicle = vehicle or vehicle_by_name(case.vehicle)
+    vehicle = vehicle or case.described_vehicle()
     model = assemble(vehicle, case)
     work = workspace(model)
     if progress is not None:
@@ -93,6 +93,7 @@ def simulate(
     names = {"body": [body.name for body in vehicle.bodies]}
     with Recorder(directory, {"case": case.to_toml()}, names=names) as recorder:
         write_case(directory, case.to_toml())
+        write_vehicle(directory, to_json(vehicle))
         write_status(directory, status)
         integration = _Integration(case, model, work, state, LogWriter(vehicle, model, work, recorder))
         try:

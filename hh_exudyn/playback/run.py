@@ -38,7 +38,8 @@ from hh_exudyn.playback.shapes import wagon_shapes
 from hh_exudyn.playback.track_shapes import pieces
 from hh_exudyn.playback.wheels import wheel_rows
 from track.alignment import Alignment
-from vehicles.catalogue import vehicle as described_vehicle
+from vehicles.description import Vehicle
+from vehicles.stored import from_json
 
 APPLICATION = "hh_exudyn"
 FRAME_BODY = "car_body"  # the moving frame follows this body
@@ -68,8 +69,15 @@ class Scene:
     shear_yield: float = ER7.shear_yield
 
 
-def scene(case: Case) -> Scene:
+def scene(case: Case, described: Vehicle | None = None) -> Scene:
     """The scene of a case with an ore wagon.
+
+    Parameters
+    ----------
+    case
+        What was run.
+    described
+        The vehicle that ran; None: the case's own.
 
     Raises
     ------
@@ -77,7 +85,7 @@ def scene(case: Case) -> Scene:
         The vehicle is not described with the lengths of an ore wagon.
     """
     tread = np.column_stack([case.wheel.y, case.wheel.z])
-    shapes = wagon_shapes(wagon_dimensions(described_vehicle(case.vehicle)), tread)
+    shapes = wagon_shapes(wagon_dimensions(described or case.described_vehicle()), tread)
     return Scene(shapes, case.alignment(), case.track.rail_course(LEFT), case.track.rail_course(RIGHT))
 
 
@@ -87,7 +95,7 @@ def record(run: Run, path: Path | str, *, every: int = 1, vehicle: int = 1) -> P
     Parameters
     ----------
     run
-        The run on disk; the scene is built from its case.
+        The run on disk; the scene is built from its case and the vehicle that it keeps.
     path
         File to write.
     every
@@ -103,10 +111,14 @@ def record(run: Run, path: Path | str, *, every: int = 1, vehicle: int = 1) -> P
     FileNotFoundError
         The run has no case or no logs.
     """
+    kept = run.vehicle_text
     return record_tables(
         run.motion(),
         run.contact(),
-        scene(Case.from_toml(run.case_text, folder=run.directory)),
+        scene(
+            Case.from_toml(run.case_text, folder=run.directory),
+            None if kept is None else from_json(kept),
+        ),
         path,
         name=run.directory.name,
         every=every,

@@ -1,0 +1,98 @@
+"""``hh-exudyn vehicle``: tables of the catalogue, of a vehicle and its file, comparisons, refusals."""
+
+import re
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner, Result
+
+from hh_exudyn.cli import app
+from vehicles.catalogue import VEHICLES
+from vehicles.parameters import load_parameters
+
+
+def call(*words: str | Path) -> Result:
+    return CliRunner().invoke(app, ["vehicle", *map(str, words)])
+
+
+def said(*words: str | Path) -> str:
+    result = call(*words)
+    assert result.exit_code == 0, result.stderr
+    assert max(map(len, result.stdout.splitlines())) <= 120
+    return result.stdout
+
+
+def refused(*words: str | Path) -> str:
+    """The one line on stderr of a command that is refused; nothing on stdout."""
+    result = call(*words)
+    assert result.exit_code == 2
+    assert result.stdout == ""
+    assert result.stderr.startswith("hh-exudyn: ")
+    assert result.stderr.count("\n") == 1
+    return result.stderr
+
+
+@pytest.fixture
+def worn(tmp_path: Path) -> Path:
+    path = tmp_path / "worn.toml"
+    path.write_text('base = "iore_wagon_loaded"\ndescription = "tired"\n[wedge]\nfriction = 0.35\n')
+    return path
+
+
+def cells(text: str, pattern: str) -> list[str]:
+    """The line of a table that begins so."""
+    found = re.findall(rf"^ *{pattern}.*$", text, flags=re.MULTILINE)
+    assert len(found) == 1, text
+    return found[0].split()
+
+
+def test_list_has_every_vehicle() -> None:
+    text = said("list")
+    for name in VEHICLES:
+        cells(text, name)
+    # thesis Table 1-1: 4 x 30 t; tare 21.6 t
+    assert cells(text, "iore_wagon_loaded")[1:3] == ["120.0", "4"]
+    assert cells(text, "iore_wagon_empty")[1:3] == ["21.6", "4"]
+
+
+def test_show_has_every_number_and_counts_the_guesses() -> None:
+    text = said("show", "iore_wagon_loaded")
+    parameters = load_parameters("iore_wagon")
+    for number in {parameter.name.split(".")[1] for parameter in parameters.parameters}:
+        assert number in text
+    assert f"{len(parameters.of_kind('assumed'))} assumed (?)" in text
+    assert len(re.findall(r" \? +assumed", text)) == len(parameters.of_kind("assumed"))
+    assert "differ" not in text
+    assert cells(text, "1 +1")[2:] == ["4.274", "915", "294.3", "30.00"]  # (6.77 + 1.778) / 2, 30 t
+
+
+def test_show_says_what_a_file_changes(worn: Path) -> None:
+    text = said("show", worn)
+    assert "worn: tired" in text
+    assert "based on iore_wagon_loaded, 1 number differs" in text
+    assert "1 variant (!)" in text
+    assert re.search(r"friction +0\.35 +- +! +variant: worn\.toml", text)
+    assert cells(text, r"wedge\.friction")[1:] == ["-", "0.3", "0.35", "variant:", "worn.toml"]
+
+
+def test_compare(worn: Path) -> None:
+    text = said("compare", "iore_wagon_empty", worn)
+    assert cells(text, r"wagon\.payload")[1:4] == ["kg", "0", "98400"]
+    assert cells(text, r"wedge\.friction")[2:4] == ["0.3", "0.35"]
+    assert "2 numbers differ" in text
+    assert "no numbers differ" in said("compare", worn, worn)
+
+
+def test_drawing_is_written_to_a_new_file(worn: Path, tmp_path: Path) -> None:
+    figure = tmp_path / "worn.svg"
+    assert f"figure: {figure}" in said("show", worn, "--figure", figure)
+    assert figure.read_text().startswith("<?xml")
+    assert "--figure" in refused("show", worn, "--figure", figure)
+    assert "allowed are .png" in refused("show", worn, "--figure", tmp_path / "worn.doc")
+
+
+def test_refusals(worn: Path, tmp_path: Path) -> None:
+    assert 'did you mean "iore_wagon_loaded"?' in refused("show", "iore_wagon_lodaed")
+    assert "no.toml: cannot be read" in refused("compare", "iore_wagon_loaded", tmp_path / "no.toml")
+    worn.write_text(worn.read_text().replace("friction", "fiction"))
+    assert "worn.toml: unknown parameter wedge.fiction; did you mean wedge.friction?" in refused("show", worn)

@@ -1,0 +1,49 @@
+"""Axle loads of a vehicle at rest on level track, from its bodies and couplings alone."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from vehicles.description import Vehicle
+
+TOLERANCE = 1e-6  # of the weight: what no vertical forces can hold
+
+
+def axle_loads(vehicle: Vehicle) -> list[float]:
+    """Static vertical forces of the wheelsets on the track [N], in the order of `vehicle.wheelsets`.
+
+    Every coupling with a point carries a vertical force there, so that force and pitching moment of every
+    body balance. Where the couplings leave that open, the forces with the least sum of squares are taken:
+    those of equal springs. Exact for bogie vehicles, whose loads do not depend on stiffness, and for vehicles
+    symmetric front to rear.
+
+    Raises
+    ------
+    ValueError
+        The couplings cannot hold the vehicle by vertical forces: a body hangs on nothing.
+    """
+    rows = {body.name: 2 * i for i, body in enumerate(vehicle.bodies)}
+    count = len(vehicle.wheelsets)
+    columns = list(_supports(vehicle))
+    balance = np.zeros((2 * len(rows), count + len(columns)))
+    for k, wheelset in enumerate(vehicle.wheelsets):
+        balance[rows[wheelset.body], k] = 1.0
+    for k, (body_a, body_b, x) in enumerate(columns, start=count):
+        for name, sign in ((body_a, -1.0), (body_b, 1.0)):  # the force acts on B upwards, on A downwards
+            row = rows[name]
+            balance[row, k] += sign
+            balance[row + 1, k] += sign * (x - vehicle.body(name).position[0])
+    weights = np.zeros(2 * len(rows))
+    weights[::2] = [body.weight for body in vehicle.bodies]
+    forces, *_ = np.linalg.lstsq(balance, weights, rcond=None)
+    if np.abs(balance @ forces - weights).max() > TOLERANCE * sum(body.weight for body in vehicle.bodies):
+        raise ValueError(f"vehicle {vehicle.name}: its couplings cannot carry its bodies by vertical forces")
+    return [float(force) for force in forces[:count]]
+
+
+def _supports(vehicle: Vehicle) -> Iterator[tuple[str, str, float]]:
+    """Bodies and place of every coupling that may carry weight; rods lie along the track."""
+    for coupling in vehicle.couplings:
+        point = getattr(coupling, "point", None)
+        if point is not None:
+            yield coupling.body_a, coupling.body_b, point[0]

@@ -1,0 +1,175 @@
+"""Variants: a vehicle of the catalogue in which some numbers are others, said in a small TOML file.
+
+    base = "iore_wagon_loaded"      # a name of the catalogue, or another such file beside this one
+    description = "wedges worn"     # optional
+
+    [wedge]
+    friction = 0.35                 # in the unit that the base has
+    preload = { value = 1500.0, unit = "N", source = "assumed: a worn wedge stands higher" }
+
+A number alone has the source "variant: <file>". Bases may be files on bases; what the files change is summed
+up on the vehicle of the catalogue at the end of the chain, so a `Variant` is a value that no file can change
+any more. Bad files raise ValueError of one line that begins with the file.
+"""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from vehicles.catalogue import catalogued
+from vehicles.description import Vehicle
+from vehicles.parameters import VARIANT, Difference, Parameter, ParameterSet, differences
+
+_KEYS = ("name", "base", "description")  # of a variant's table; everything else is a part
+_ENTRY = {"value", "unit", "source"}
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A vehicle of the catalogue with changes; without any it is that vehicle.
+
+    Raises
+    ------
+    ValueError
+        The base is not in the catalogue, a change is not one of its parameters or has another unit, or the
+        vehicle cannot be built with them.
+    """
+
+    name: str
+    base: str  # in the catalogue
+    changes: tuple[Parameter, ...] = ()
+    description: str = ""
+
+    def __post_init__(self) -> None:
+        self.vehicle()
+
+    def parameters(self) -> ParameterSet:
+        """All numbers, changed or not."""
+        return catalogued(self.base).parameters().with_parameters(self.changes, self.name)
+
+    def vehicle(self) -> Vehicle:
+        """The description with the changed numbers."""
+        return catalogued(self.base).build(self.name, self.parameters())
+
+    def differences(self) -> tuple[Difference, ...]:
+        """What is not as in the base."""
+        return differences(catalogued(self.base).parameters(), self.parameters())
+
+    def to_table(self) -> dict[str, Any]:
+        """As the table that `variant_of_table` reads, every number with unit and source."""
+        table: dict[str, Any] = {"name": self.name, "base": self.base}
+        if self.description:
+            table["description"] = self.description
+        for change in self.changes:
+            part, quantity = change.name.split(".", 1)
+            entry = {"value": change.value, "unit": change.unit, "source": change.source}
+            table.setdefault(part, {})[quantity] = entry
+        return table
+
+
+def find_variant(source: str | Path) -> Variant:
+    """The vehicle of a file (.toml), or the one of that name in the catalogue.
+
+    Raises
+    ------
+    ValueError
+        Neither a known name nor a good vehicle file.
+    """
+    if is_vehicle_file(str(source)):
+        return read_variant(source)
+    name = str(source)
+    return Variant(name, name, (), catalogued(name).description)
+
+
+def is_vehicle_file(source: str) -> bool:
+    """Whether a vehicle is given by its file: names of the catalogue have neither folder nor ending."""
+    return "/" in source or "\\" in source or "." in source
+
+
+def read_variant(path: str | Path) -> Variant:
+    """The variant in a vehicle file.
+
+    Raises
+    ------
+    ValueError
+        The file cannot be read or is not TOML, its base is missing, unknown or leads back to it, a number is
+        not one of the base's or not in its unit, or the vehicle cannot be built.
+    """
+    return _read(Path(path), ())
+
+
+def variant_of_table(table: Mapping[str, Any], source: str) -> Variant:
+    """The variant in a table that may stand in another file; a base that is a file starts at its folder.
+
+    Parameters
+    ----------
+    table : mapping
+        As in a vehicle file, and with a name.
+    source : str
+        Said to be the source of numbers that have none.
+
+    Raises
+    ------
+    ValueError
+        As `read_variant`.
+    """
+    return _variant(table, source, Path(), ())
+
+
+def _read(path: Path, above: tuple[Path, ...]) -> Variant:
+    """The variant in a file that the files `above` are based on."""
+    place = path.resolve()
+    if place in above:
+        chain = " -> ".join(file.name for file in (*above[above.index(place) :], place))
+        raise ValueError(f"{path}: its base leads back to itself: {chain}")
+    try:
+        table = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
+    except OSError as error:
+        raise ValueError(f"{path}: cannot be read: {error.strerror}") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise ValueError(f"{path}: not valid TOML: {error}") from None
+    try:
+        return _variant({"name": path.stem, **table}, path.name, path.parent, (*above, place))
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
+
+
+def _variant(table: Mapping[str, Any], source: str, folder: Path, above: tuple[Path, ...]) -> Variant:
+    base = _text(table, "base")
+    if not base:
+        raise ValueError('base is missing: allowed a name of the catalogue or a vehicle file (".toml")')
+    ground = _read(folder / base, above) if is_vehicle_file(base) else Variant(base, base)
+    known = ground.parameters()
+    changes = {change.name: change for change in ground.changes}
+    for part, entries in table.items():
+        if part in _KEYS:
+            continue
+        if not isinstance(entries, Mapping):
+            raise ValueError(f"{part} = {entries!r}: unknown key; known are {', '.join(_KEYS)} and tables")
+        for quantity, entry in entries.items():
+            name = f"{part}.{quantity}"
+            changes[name] = _parameter(name, entry, known, f"{VARIANT}: {source}")
+    name = _text(table, "name") or ground.name
+    return Variant(name, ground.base, tuple(changes.values()), _text(table, "description"))
+
+
+def _parameter(name: str, entry: Any, known: ParameterSet, source: str) -> Parameter:
+    """A changed number, checked; its unit is that of the base where the file gives none."""
+    if not isinstance(entry, Mapping):
+        return known.replace({name: entry}, source).parameter(name)
+    if "value" not in entry or set(entry) - _ENTRY:
+        raise ValueError(f"{name} = {dict(entry)!r}: allowed a number, or a table of value, unit and source")
+    value = known.replace({name: entry["value"]}, source).parameter(name)
+    texts = {key: _text(entry, key) or getattr(value, key) for key in ("unit", "source")}
+    changed = Parameter(name, value.value, **texts)
+    return known.with_parameters([changed]).parameter(name)
+
+
+def _text(table: Mapping[str, Any], key: str) -> str:
+    """A text of a table, empty where it is not given."""
+    text = table.get(key, "")
+    if not isinstance(text, str):
+        raise ValueError(f"{key} = {text!r}: allowed a text")
+    return text
