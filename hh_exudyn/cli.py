@@ -1,7 +1,7 @@
 """The command ``hh-exudyn``: run a case, demo, damage, playback. It knows everything and computes nothing.
 
 The commands about one contact stand in `cli_contact`, those about track in `cli_track`, those about vehicles
-in `cli_vehicle`, what all commands share in `cli_output`.
+in `cli_vehicle`, those of linear analysis in `cli_linear`, what all commands share in `cli_output`.
 
 =========  ==================================================================================
 exit code  meaning
@@ -27,7 +27,7 @@ import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from hh_exudyn import __version__, cli_contact, cli_track, cli_vehicle
+from hh_exudyn import __version__, cli_contact, cli_linear, cli_track, cli_vehicle
 from hh_exudyn.cli_output import (
     INTERRUPTED,
     STOPPED,
@@ -60,6 +60,7 @@ app = typer.Typer(
 cli_contact.register(app)
 cli_track.register(app)
 cli_vehicle.register(app)
+cli_linear.register(app)
 
 NewFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="New or empty folder for the run.")]
 RunFolder = Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")]

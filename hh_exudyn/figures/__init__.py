@@ -6,6 +6,7 @@
 `conicity_sheet`  these panels on one sheet, for a wheel on a rail at several gauges
 `track`           a track over its length, with irregularities and quality classes; a line as shares
 `vehicle`         a vehicle to scale, side and top view, from the description that a run uses
+`root_locus`      eigenvalues of a vehicle over its speed, and their damping ratios
 `wheel_forces`    Q and Y of every wheel: distributions with their ranges, and spectra
 ================  ======================================================================================
 

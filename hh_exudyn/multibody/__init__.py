@@ -7,6 +7,8 @@
 `system`        `evaluate`: all forces of a vehicle on its track
 `assembly`      descriptions -> model -> Exudyn system
 `equilibrium`   rest on straight track, before the run
+`linear`        modes, their way over speed, linear critical speed
+`hunting`       motion in time after a disturbance, nonlinear critical speed
 `stability`     the largest time step that the explicit integration bears
 `watch`         reasons to stop a run
 `recording`     rows of the logs

@@ -1,6 +1,8 @@
 """Does a disturbed vehicle settle or hunt? Motion in time on straight smooth track at one speed."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import exudyn as exu
@@ -30,6 +32,11 @@ class LateralMotion:
     time: FloatArray
     lateral: FloatArray
 
+    def amplitude(self, after: float) -> float:
+        """Half the largest range of any wheelset's motion from the time `after` [s] on [m]."""
+        late = self.lateral[self.time >= after]
+        return float(0.5 * (late.max(axis=0) - late.min(axis=0)).max())
+
     def growth_rate(self, after: float) -> float:
         """Slope of the logarithm of the first wheelset's extremes over time [1/s], from the time `after` [s].
 
@@ -47,7 +54,7 @@ class LateralMotion:
         return float(np.polyfit(middles, np.log(swings), 1)[0])
 
     def frequency(self, after: float) -> float:
-        """Of the first wheelset's swings from the time `after` [s], by its upward crossings of their mean [Hz].
+        """Of the first wheelset's swings from the time `after` [s], by upward crossings of the mean [Hz].
 
         Raises
         ------
@@ -85,7 +92,7 @@ def lateral_motion(
     RuntimeError
         The motion is not finite any more: a derailment.
     """
-    model, work, state = vehicle.at(speed)
+    model, work, state = vehicle.at(speed, step)
     require_stable_step(step, model, work, state)
     bundle = Bundle(model, work)
     sliders = state.sliders.copy()
@@ -120,3 +127,47 @@ def lateral_motion(
         raise RuntimeError(f"wheel {wheelset + 1}{'LR'[side]} left its rail at t = {rows[-1][0]:.3f} s")
     table = np.array(rows)
     return LateralMotion(table[:, 0], table[:, 1:])
+
+
+def nonlinear_critical_speed(
+    vehicle: LinearVehicle,
+    speeds: Sequence[float],
+    displacement: float = 5e-3,
+    duration: float = 5.0,
+    settled: float = 0.5e-3,
+    step: float = 4e-4,
+) -> list[tuple[float, float]]:
+    """Amplitude of hunting that is left of a large disturbance, speed by speed downwards until it settles.
+
+    The lowest speed at which a limit cycle is left is the nonlinear critical speed, to the distance of the
+    speeds. Below it every disturbance of that kind dies away; it may lie far below the linear one. Each
+    speed is a run of its own, begun with all wheelsets moved sideways: an unstable cycle that lies outside
+    of that disturbance is not seen.
+
+    Parameters
+    ----------
+    vehicle : what runs, and on which straight track
+    speeds : [m/s], falling
+    displacement : of the wheelsets at the start of each run [m]
+    duration : of each run [s]; the last fifth is looked at
+    settled : amplitude below which the vehicle has settled [m]
+    step : of the explicit integration [s]
+
+    Returns
+    -------
+    (speed [m/s], amplitude [m]) of every run; the last has settled unless `speeds` ended before.
+
+    Raises
+    ------
+    ValueError, NoEquilibrium, RuntimeError
+        As `lateral_motion`; ValueError also for speeds that do not fall.
+    """
+    if any(later >= earlier for earlier, later in pairwise(speeds)):
+        raise ValueError(f"speeds {list(speeds)} m/s must fall")
+    found: list[tuple[float, float]] = []
+    for speed in speeds:
+        left = lateral_motion(vehicle, speed, duration, displacement, step).amplitude(0.8 * duration)
+        found.append((speed, left))
+        if left < settled:
+            break
+    return found

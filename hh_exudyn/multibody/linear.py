@@ -18,7 +18,7 @@ from hh_exudyn.case import Case
 from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import Bundle
-from hh_exudyn.multibody.assembly import assemble
+from hh_exudyn.multibody.assembly import assemble, shortest_transition
 from hh_exudyn.multibody.equilibrium import Equilibrium, equilibrium
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
@@ -140,10 +140,15 @@ class LinearVehicle:
         self._work = workspace(self._model)
         self._start = self._model.train.start.copy()
 
-    def at(self, speed: float) -> tuple[SystemModel, Workspace, Equilibrium]:
-        """Model, work space and equilibrium at a speed [m/s]. Raises NoEquilibrium where there is none."""
-        train = self._model.train._replace(speed=speed, start=self._start.copy())
-        model = self._model._replace(train=train)
+    def at(self, speed: float, step: float = 0.0) -> tuple[SystemModel, Workspace, Equilibrium]:
+        """Model, work space and equilibrium at a speed [m/s]; with a time step [s] as a run in such steps.
+
+        Raises NoEquilibrium where there is none.
+        """
+        model = self._model._replace(
+            train=self._model.train._replace(speed=speed, start=self._start.copy()),
+            shortest_transition=shortest_transition(speed, step),
+        )
         return model, self._work, equilibrium(self.vehicle, model, self._work)
 
     def modes(self, speed: float, *, undamped: bool = False) -> list[Mode]:

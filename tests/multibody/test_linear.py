@@ -81,7 +81,7 @@ def test_modes_damped_and_not_of_a_wheelset_held_by_its_springs(wheelset):
 
 
 def vermeulen_johnson(along, across, poisson_ratio):
-    """Constants of longitudinal and lateral creep, 3 mu N/(G pi a b) constant [1 - (1 - F/mu N)^(1/3)] = creep.
+    """Constants k of longitudinal and lateral creep = 3 mu N/(G pi a b) k [1 - (1 - F/mu N)^(1/3)].
 
     From the half-space: the gradient of the displacement under a traction like Hertz's pressure, by the
     integral over directions of chords through a point (own derivation).
