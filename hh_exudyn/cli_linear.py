@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from hh_exudyn.multibody.linear import CriticalSpeed, LinearVehicle
 
 SLOWEST, FASTEST = 5.0, 500.0  # km/h
-_LOCUS_SPEEDS = 25
+_LOCUS_SPEEDS = 25  # of the figure
 
 CaseFile = Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file.")]
 

@@ -132,5 +132,5 @@ class Vehicle:
 
     @property
     def mass(self) -> float:
-        """Mass of all bodies [kg]."""
-        return sum(body.mass for body in self.bodies)
+        """Mass of all bodies but those that are held from outside [kg]."""
+        return sum(body.mass for body in self.bodies if body.held_weight is None)

@@ -97,12 +97,12 @@ def _secondary(p: ParameterSet, frame: Body, car_body: str, sunk: float) -> list
     x = frame.position[0]
     height = 0.5 * (p["secondary.bottom"] + p["secondary.top"]) + sunk
     bending, shear = p["secondary.bending_stiffness"], p["secondary.shear_stiffness"]
-    ends = {"body_a": frame.name, "body_b": car_body}
     number = frame.name[-1]
     springs = [
         Bushing(
             name=f"secondary_{number}{letter}",
-            **ends,
+            body_a=frame.name,
+            body_b=car_body,
             point=(x, side * p["secondary.half_spacing"], height),
             stiffness=(shear, shear, p["secondary.vertical_stiffness"]),
             damping=(
@@ -119,7 +119,8 @@ def _secondary(p: ParameterSet, frame: Body, car_body: str, sunk: float) -> list
         *springs,
         Bushing(
             name=f"anti_roll_bar_{number}",
-            **ends,
+            body_a=frame.name,
+            body_b=car_body,
             point=(x, 0.0, height),
             stiffness=(0.0, 0.0, 0.0),
             damping=(0.0, 0.0, 0.0),
@@ -127,14 +128,16 @@ def _secondary(p: ParameterSet, frame: Body, car_body: str, sunk: float) -> list
         ),
         Bushing(
             name=f"traction_rod_{number}",
-            **ends,
+            body_a=frame.name,
+            body_b=car_body,
             point=(x, 0.0, p["traction_rod.height"] + sunk),
             stiffness=(p["traction_rod.stiffness"], 0.0, 0.0),
             damping=(0.0, 0.0, 0.0),
         ),
         BumpStop(
             name=f"bump_stop_{number}",
-            **ends,
+            body_a=frame.name,
+            body_b=car_body,
             point=(x, 0.0, p["bump_stop.height"] + sunk),
             axis=(0.0, 1.0, 0.0),
             table=tuple((mm * 1e-3, p[f"bump_stop.force_at_{mm}_mm"]) for mm in _BUMP_STOP_MM),

@@ -1,6 +1,5 @@
 """Root locus: the eigenvalues of a vehicle over its speed."""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -14,7 +13,7 @@ _STRONG = 0.5  # damping ratio of what is left out on the right
 
 def root_locus_figure(
     title: str,
-    speeds: Sequence[float],
+    speeds: NDArray[np.float64],
     locus: NDArray[np.complex128],
     critical: float | None = None,
     highest: float = 15.0,
@@ -32,7 +31,7 @@ def root_locus_figure(
     figure = Figure(figsize=_SIZE, layout="constrained")
     figure.suptitle(title)
     plane, ratios = figure.subplots(1, 2)
-    at = np.asarray(speeds) * 3.6
+    at = speeds * 3.6
     frequency, growth = locus.imag / (2 * np.pi), locus.real / (2 * np.pi)
     with np.errstate(invalid="ignore"):  # NaN has no damping ratio
         damping = -locus.real / np.abs(locus)

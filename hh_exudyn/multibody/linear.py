@@ -35,6 +35,7 @@ ComplexArray = NDArray[np.complex128]
 
 LOWEST_FREQUENCY = 0.05  # Hz, below it the train that pulls, and motions that nothing holds
 HIGHEST_FREQUENCY = 50.0  # Hz, above it the contact springs, and rails on the way of the creepage
+STRAIGHT_LENGTH = 10e3  # m, of the track that everything here runs on
 OVERDAMPED = 0.95  # damping ratio from which a mode counts as no oscillation
 _DISPLACEMENT = 1e-7  # m and rad, of the numerical derivatives
 _VELOCITY = 1e-6  # m/s and rad/s
@@ -117,15 +118,15 @@ class Mode:
     def largest(self, names: Sequence[str]) -> str:
         """Body and direction that move most, e.g. "car_body y" or "bogie_1 pitch"."""
         body, axis = np.unravel_index(int(np.argmax(np.abs(self.shape))), self.shape.shape)
-        return f"{names[body]} {DIRECTIONS[axis]}"
+        return f"{names[int(body)]} {DIRECTIONS[int(axis)]}"
 
 
 class LinearVehicle:
-    """A vehicle on the straight start of a case's track, to be linearised at any speed.
+    """A vehicle on smooth level straight track with rails and gauge of a case, to be linearised at any speed.
 
     Parameters
     ----------
-    vehicle, case : what runs on what; irregularities, curves and the case's own speed play no part
+    vehicle, case : what runs on what; the case's own speed plays no part
 
     Raises
     ------
@@ -136,7 +137,7 @@ class LinearVehicle:
     def __init__(self, vehicle: Vehicle, case: Case) -> None:
         self.vehicle = vehicle
         self.names = [body.name for body in vehicle.bodies]
-        self._model = assemble(vehicle, case.with_changes(track={"irregularity": "none"}))
+        self._model = assemble(vehicle, _straight(case))
         self._work = workspace(self._model)
         self._start = self._model.train.start.copy()
 
@@ -264,6 +265,23 @@ def _oscillations(found: Linearisation, springs: int | None) -> tuple[ComplexArr
     matrix = found.stiffness[:springs, :springs] / found.mass[:springs, None]
     squares, vectors = np.linalg.eig(matrix)
     return 1j * np.sqrt(np.maximum(squares.real, 0.0)), vectors.astype(complex)
+
+
+def _straight(case: Case) -> Case:
+    """The case on smooth level straight track of the gauge and rails at its start."""
+    first = {"kind": "straight", "gauge_mm": 1e3 * float(case.alignment().table.gauge[0])}
+    if case.track.sections is not None:
+        rails = case.track.sections[0].model_dump(include={"rail", "rail_left", "rail_right"})
+        first |= {key: name for key, name in rails.items() if name is not None}
+    track = {
+        "sections": [{**first, "length_m": STRAIGHT_LENGTH}],
+        "grades": (),
+        "alignment": None,
+        "centre_line": None,
+        "alignment_mirrored": False,
+        "irregularity": "none",
+    }
+    return case.with_changes(track=track)
 
 
 def _without_creep(model: SystemModel) -> SystemModel:
