@@ -39,9 +39,10 @@ from hh_exudyn.case_rails import read_profile
 from hh_exudyn.case_tables import ContactCase, IntegrationCase, TrackCase
 from hh_exudyn.case_vehicle import VehicleCase, VehicleField, described, resolved, start_in
 from hh_exudyn.contact.friction import FrictionTable, constant_friction
+from hh_exudyn.contact.given import given_contact_model
 from hh_exudyn.contact.profile import Profile, read_wheel_profile, wheel_profile
 from hh_exudyn.contact.profile_measures import flange_thickness
-from hh_exudyn.contact.types import WheelRailModel
+from hh_exudyn.contact.types import GivenCreep, WheelRailModel
 from hh_exudyn.contact.wheel_rail import wheel_rail_model
 from hh_exudyn.conventions import BACK_TO_BACK, LEFT, RIGHT
 from track.alignment import Alignment
@@ -216,12 +217,22 @@ class Case(CaseTable):
         Raises
         ------
         ValueError
-            The wheels of the vehicle differ in radius.
+            The wheels of the vehicle differ in radius, or the theory is "given" and the vehicle states none.
         """
         vehicle = vehicle or self.described_vehicle()
         radii = {wheelset.radius for wheelset in vehicle.wheelsets}
         if len(radii) > 1:
             raise ValueError(f"vehicle {vehicle.name}: wheel radii {sorted(radii)} m must be equal")
+        if self.contact.theory == "given":
+            if vehicle.contact is None:
+                raise ValueError(f"contact.theory = 'given': vehicle {vehicle.name} states no contact")
+            stated = vehicle.contact
+            return given_contact_model(
+                GivenCreep(stated.longitudinal, stated.lateral, stated.conicity),
+                stated.half_distance,
+                radii.pop(),
+                self.contact.damping_s_per_m,
+            )
         return wheel_rail_model(
             self.wheel,
             self.wheel,

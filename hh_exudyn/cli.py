@@ -1,8 +1,8 @@
 """The command ``hh-exudyn``: run a case, demo, damage, playback. It knows everything and computes nothing.
 
 The commands about one contact stand in `cli_contact`, those about track in `cli_track`, those about vehicles
-in `cli_vehicle`, damage in `cli_damage`, the standard assessment in `cli_assess`, what all commands share in
-`cli_output`.
+in `cli_vehicle`, linear analysis in `cli_linear`, damage in `cli_damage`, the standard assessment in
+`cli_assess`, what all commands share in `cli_output`.
 
 =========  ==================================================================================
 exit code  meaning
@@ -28,7 +28,7 @@ import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
-from hh_exudyn import __version__, cli_assess, cli_contact, cli_damage, cli_track, cli_vehicle
+from hh_exudyn import __version__, cli_assess, cli_contact, cli_damage, cli_linear, cli_track, cli_vehicle
 from hh_exudyn.cli_damage import opened, show_damage
 from hh_exudyn.cli_output import (
     INTERRUPTED,
@@ -63,6 +63,7 @@ cli_damage.register(app)
 cli_track.register(app)
 cli_assess.register(app)
 cli_vehicle.register(app)
+cli_linear.register(app)
 
 NewFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="New or empty folder for the run.")]
 RunFolder = Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")]

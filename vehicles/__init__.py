@@ -7,6 +7,9 @@
 `parameters`          parameter files, in which every number has its unit and its source
 `three_piece_bogie`   bolster, side frames, wheelsets and what couples them
 `wagon`               the LKAB iron-ore wagon
+`suspended_wheelset`  reference: the smallest model that hunts, with its closed form
+`cooperrider`         reference: Cooperrider's bogie
+`manchester`          reference: vehicle 1 of the Manchester benchmarks
 `catalogue`           the vehicles by name
 `variants`            a vehicle with some numbers changed, said in a small file
 `statics`             axle loads of a vehicle at rest

@@ -9,9 +9,13 @@ vehicle=...)`` does. Vehicles with a few numbers changed need no code: see `vehi
 import difflib
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
+from vehicles.cooperrider import cooperrider_bogie
 from vehicles.description import Vehicle
+from vehicles.manchester import manchester_vehicle_1
 from vehicles.parameters import ParameterSet, load_parameters
+from vehicles.suspended_wheelset import suspended_wheelset
 from vehicles.wagon import ore_wagon
 
 
@@ -39,6 +43,21 @@ def _empty() -> ParameterSet:
 VEHICLES: dict[str, Entry] = {
     "iore_wagon_loaded": Entry(_wagon, _loaded, "LKAB iron-ore wagon, one unit, 30 t axle load"),
     "iore_wagon_empty": Entry(_wagon, _empty, "LKAB iron-ore wagon, one unit, without ore"),
+    "suspended_wheelset": Entry(
+        suspended_wheelset,
+        partial(load_parameters, "suspended_wheelset"),
+        "reference: a wheelset on springs, contact given",
+    ),
+    "cooperrider_bogie": Entry(
+        cooperrider_bogie,
+        partial(load_parameters, "cooperrider_bogie"),
+        "reference: Cooperrider's bogie, contact given",
+    ),
+    "manchester_vehicle_1": Entry(
+        manchester_vehicle_1,
+        partial(load_parameters, "manchester_vehicle_1"),
+        "reference: passenger coach of the Manchester benchmarks",
+    ),
 }
 
 

@@ -7,6 +7,7 @@ unloaded. What lies between the bodies: `couplings`.
 import math
 from dataclasses import dataclass
 
+from hh_exudyn.conventions import GRAVITY
 from vehicles.couplings import AxleBox, AxleBoxPad, BumpStop, Coupling, Rod, Vector
 from vehicles.soundness import require_sound
 
@@ -29,6 +30,7 @@ class Body:
     inertia: Vector  # about x, y, z through the centre of mass [kg m^2]
     position: Vector  # of the centre of mass on the drawing [m]
     deflection: float = 0.0  # downwards under load, roughly: where the static equilibrium is looked for [m]
+    held_weight: float | None = None  # what it weighs if it is held from outside, else None [N]
 
     def __post_init__(self) -> None:
         if self.kind not in BODY_KINDS:
@@ -37,6 +39,11 @@ class Body:
             raise ValueError(
                 f"body {self.name}: mass {self.mass} kg and inertia {self.inertia} kg m^2 must be > 0"
             )
+
+    @property
+    def weight(self) -> float:
+        """What its couplings or wheels have to carry [N]."""
+        return self.mass * GRAVITY if self.held_weight is None else self.held_weight
 
 
 @dataclass(frozen=True)
@@ -66,6 +73,28 @@ class Wheelset:
 
 
 @dataclass(frozen=True)
+class GivenContact:
+    """Wheel-rail contact as reference models state it: two creep coefficients and a conicity.
+
+    Raises ValueError for a coefficient <= 0, a distance not in 0.4 .. 1.1 m or a conicity not in 0 .. 0.5.
+    """
+
+    longitudinal: float  # F_x = -longitudinal nu_x of one wheel [N]
+    lateral: float  # F_y = -lateral nu_y of one wheel [N]
+    conicity: float  # [-]
+    half_distance: float  # of the two contacts [m]
+
+    def __post_init__(self) -> None:
+        for quantity in ("longitudinal", "lateral"):
+            if not getattr(self, quantity) > 0.0:
+                raise ValueError(f"given contact: {quantity} = {getattr(self, quantity)} N, must be > 0 N")
+        for quantity, low, high, unit in (("half_distance", 0.4, 1.1, " m"), ("conicity", 0.0, 0.5, "")):
+            value = getattr(self, quantity)
+            if not low <= value <= high:
+                raise ValueError(f"given contact: {quantity} = {value}{unit}, allowed {low} .. {high}{unit}")
+
+
+@dataclass(frozen=True)
 class Vehicle:
     """A vehicle on the drawing. `wheelsets` run from the leading end."""
 
@@ -75,6 +104,7 @@ class Vehicle:
     wheelsets: tuple[Wheelset, ...]
     coupler: Coupler
     dimensions: dict[str, float]  # for drawings: lengths [m] by name
+    contact: GivenContact | None = None  # what a case gets whose theory is "given"
 
     def __post_init__(self) -> None:
         names = [body.name for body in self.bodies]
@@ -107,5 +137,5 @@ class Vehicle:
 
     @property
     def mass(self) -> float:
-        """Mass of all bodies [kg]."""
-        return sum(body.mass for body in self.bodies)
+        """Mass of all bodies but those that are held from outside [kg]."""
+        return sum(body.mass for body in self.bodies if body.held_weight is None)

@@ -5,7 +5,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from hh_exudyn.conventions import GRAVITY
 from vehicles.couplings import BumpStop, Rod
 from vehicles.description import Vehicle
 
@@ -37,9 +36,9 @@ def axle_loads(vehicle: Vehicle) -> list[float]:
             balance[row, k] += sign
             balance[row + 1, k] += sign * (x - vehicle.body(name).position[0])
     weights = np.zeros(2 * len(rows))
-    weights[::2] = [body.mass * GRAVITY for body in vehicle.bodies]
+    weights[::2] = [body.weight for body in vehicle.bodies]
     forces, *_ = np.linalg.lstsq(balance, weights, rcond=None)
-    if np.abs(balance @ forces - weights).max() > TOLERANCE * vehicle.mass * GRAVITY:
+    if np.abs(balance @ forces - weights).max() > TOLERANCE * sum(body.weight for body in vehicle.bodies):
         raise ValueError(f"vehicle {vehicle.name}: its couplings cannot carry its bodies by vertical forces")
     return [float(force) for force in forces[:count]]
 

@@ -44,7 +44,6 @@ def _built(hint: Any, value: Any) -> Any:
         return tuple(_built(kind, item) for kind, item in zip(inner, value, strict=True))
     kinds = {getattr(kind, "__name__", ""): kind for kind in get_args(hint) if is_dataclass(kind)}
     if kinds and isinstance(value, dict):
-        named = {name: item for name, item in value.items() if name != _TYPE}
-        only = next(iter(kinds)) if len(kinds) == 1 else ""  # something or None
-        return _built(kinds[only or value[_TYPE]], named)
+        kind = kinds[value[_TYPE]] if _TYPE in value or len(kinds) > 1 else next(iter(kinds.values()))
+        return _built(kind, {name: item for name, item in value.items() if name != _TYPE})
     return value

@@ -41,6 +41,7 @@ Tangential contact
     `fastsim`           Kalker's simplified theory, 1982
     `fastrip`           Sichani, Enblom and Berg, 2016: strip theory with FASTSIM directions
     `theories`          the theories by number, the kernels that call them
+    `given`             creep coefficients and conicity as a reference model states them
     `tangential`        one signature for all: `creep_force`, `traction_field`
     `validation`        their errors against the exact solution
 

@@ -31,6 +31,7 @@ from hh_exudyn.contact.search import (
 )
 from hh_exudyn.contact.silhouette import WheelRailPair
 from hh_exudyn.contact.tangential import force_kernel
+from hh_exudyn.contact.theories import GIVEN
 from hh_exudyn.contact.types import FloatArray, Patch, RollingPatch, WheelRailModel
 from hh_exudyn.kernel import inlined_kernel
 
@@ -101,6 +102,9 @@ def add_patch(
     slip_y = cosine * (across + creep_lag[1]) + sine * upward
     approach_rate = sine * across - cosine * upward
     spin = -sine * wy + cosine * wz
+    if model.theory == GIVEN:
+        slip_x -= wy * model.given.conicity * contact[Y_WHEEL] + creep_lag[0]
+        slip_y -= cosine * creep_lag[1]
 
     factor = 1.0 + model.damping * approach_rate
     if not elastic > 0.0 or factor <= 0.0:
@@ -113,7 +117,9 @@ def add_patch(
     side = 0 if pair.side > 0.0 else 1
     friction = friction_at(friction_table, wheelset, side, arc_length, angle, math.hypot(slip_x, slip_y))
     rolling = RollingPatch(a, b, normal, nu_x, nu_y, phi, friction, model.shear_modulus, model.poisson_ratio)
-    if model.normal == HERTZ:
+    if model.theory == GIVEN:
+        force_x, force_y, moment_z = -model.given.longitudinal * nu_x, -model.given.lateral * nu_y, 0.0
+    elif model.normal == HERTZ:
         force_x, force_y, moment_z = force_kernel(model.theory, rolling, model.cells_x, model.cells_y)
     elif friction > 0.0:
         force_x, force_y, moment_z = force_on_strips(strips, strips.shape[0], rolling, model.cells_x)

@@ -120,6 +120,13 @@ def rail_tables(course: RailCourse, smoothing: float) -> RailTables:
     )
 
 
+def with_origin(rails: RailTables, offset: float) -> RailTables:
+    """The same rails with the origin of every profile `offset` [m] outwards of half the gauge."""
+    sections = rails.sections.copy()
+    sections[:, _GAUGE_POINT] = offset
+    return rails._replace(sections=sections)
+
+
 def _equal(one: Profile, other: Profile) -> bool:
     return np.array_equal(one.y, other.y) and np.array_equal(one.z, other.z)
 

@@ -33,6 +33,7 @@ STRIP = 5
 POLACH = 6
 FASTSIM_SINGLE = 7
 FASTSIM_ELLIPTIC = 8
+GIVEN = 9  # coefficients of the model, not of the patch: no theory of `force_kernel`, see `given`
 THEORIES: dict[str, int] = {
     "carter": CARTER,
     "linear": LINEAR,

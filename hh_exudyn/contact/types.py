@@ -45,6 +45,14 @@ class RailTables(NamedTuple):
     sections: FloatArray  # (sections, 4) columns of `rail_tables`: profile, its first node, gauge point; end
 
 
+class GivenCreep(NamedTuple):
+    """Creep coefficients and conicity that are given instead of following from the patch (`given`)."""
+
+    longitudinal: float  # F_x = -longitudinal nu_x of one wheel [N]
+    lateral: float  # F_y = -lateral nu_y [N]
+    conicity: float  # of a wheel that is a cylinder but for its rolling radius [-]
+
+
 class WheelRailModel(NamedTuple):
     """Everything about the contact that does not change during a run.
 
@@ -65,6 +73,7 @@ class WheelRailModel(NamedTuple):
     theory: int  # a value of `tangential.THEORIES`
     cells_x: int  # cells of the tangential solve along and across the patch
     cells_y: int
+    given: GivenCreep  # for the theory `theories.GIVEN` only
 
 
 class RollingPatch(NamedTuple):

@@ -30,7 +30,7 @@ from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
 from hh_exudyn.contact.silhouette import wheel_rail_pair
 from hh_exudyn.contact.strips import STRIP_COLUMNS
 from hh_exudyn.contact.tangential import THEORIES
-from hh_exudyn.contact.types import FloatArray, WheelRailModel
+from hh_exudyn.contact.types import FloatArray, GivenCreep, WheelRailModel
 from hh_exudyn.conventions import BACK_TO_BACK, FLANGE_BACK_TO_RUNNING_CIRCLE
 from hh_exudyn.kernel import inlined_kernel
 
@@ -121,6 +121,7 @@ def wheel_rail_model(
         theory=int(THEORIES[theory]),
         cells_x=int(cells[0]),
         cells_y=int(cells[1]),
+        given=GivenCreep(0.0, 0.0, 0.0),
     )
 
 

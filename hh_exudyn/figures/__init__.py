@@ -7,6 +7,7 @@
 `track`           a track over its length, with irregularities and quality classes; a line as shares
 `vehicle`         a vehicle to scale, side and top view, from the description that a run uses
 `hysteresis`      friction loops: force over deflection, with what a cycle takes
+`root_locus`      eigenvalues of a vehicle over its speed, and their damping ratios
 `wheel_forces`    Q and Y of every wheel: distributions with their ranges, and spectra
 ================  ======================================================================================
 

@@ -66,6 +66,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         flexibility = flexibility.evenly_supported()
     return SystemModel(
         mass=np.array([body.mass for body in vehicle.bodies]),
+        weight=np.array([body.weight for body in vehicle.bodies]),
         inertia=np.array([body.inertia for body in vehicle.bodies]),
         couplings=_couplings(vehicle, numbers),
         wheelsets=np.array([numbers[wheelset.body] for wheelset in vehicle.wheelsets]),
@@ -75,12 +76,15 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         irregularity=_irregularity(vehicle, case, alignment),
         flexible=flexible,
         track=flexibility.parameters(),
-        shortest_transition=max(
-            SHORTEST_TRANSITION, case.speed * case.integration.step_ms * 1e-3 / LARGEST_LAG_RATE
-        ),
+        shortest_transition=shortest_transition(case.speed, case.integration.step_ms * 1e-3),
         track_mass=flexibility.masses(),
         train=_train(vehicle, case, numbers),
     )
+
+
+def shortest_transition(speed: float, step: float) -> float:
+    """Of the creepage [m], at a speed [m/s] and with the time step that must bear it [s]."""
+    return max(SHORTEST_TRANSITION, speed * step / LARGEST_LAG_RATE)
 
 
 def _require_straight_start(vehicle: Vehicle, alignment: Alignment, key: str) -> None:

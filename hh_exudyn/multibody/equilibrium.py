@@ -10,7 +10,6 @@ import numpy as np
 from scipy.optimize import brentq, least_squares
 
 from hh_exudyn.contact.types import FloatArray
-from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.kernel import Bundle
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
@@ -68,7 +67,7 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
     spins = [BODY_COORDINATES * int(i) + 4 for i in model.wheelsets]
     place = BODY_COORDINATES * int(model.train.bodies[0])
     stands = q[place]
-    weight = float(model.mass.sum()) * GRAVITY
+    weight = float(model.weight.sum())
     start = model.train.start.copy()
     guess = q.copy()
     guess[spins] = v[spins]
@@ -134,7 +133,7 @@ def _guess(
         moved = q.copy()
         moved[heights] += height
         evaluate_bundle(bundle, sliders, moved, v, 0.0, True)
-        return float(model.mass.sum()) * GRAVITY + float(work.rail_force[:, :, 1].sum())
+        return float(model.weight.sum()) + float(work.rail_force[:, :, 1].sum())
 
     if not lack_of_load(-_HEIGHT_RANGE) < 0.0 < lack_of_load(_HEIGHT_RANGE):
         raise NoEquilibrium(

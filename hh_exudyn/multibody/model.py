@@ -90,6 +90,7 @@ class SystemModel(NamedTuple):
     """Everything constant about a vehicle on a track."""
 
     mass: FloatArray  # (bodies,) [kg]
+    weight: FloatArray  # (bodies,) [N]
     inertia: FloatArray  # (bodies, 3) [kg m^2]
     couplings: Couplings
     wheelsets: IntArray  # (wheelsets,) body numbers

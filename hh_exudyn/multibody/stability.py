@@ -7,47 +7,17 @@ false state that looks like a run. So the step is checked before the run, not by
 import numpy as np
 from numpy.typing import NDArray
 
-from hh_exudyn.kernel import Bundle
 from hh_exudyn.multibody.equilibrium import Equilibrium
-from hh_exudyn.multibody.model import BODY_COORDINATES, SystemModel, Workspace, first_creep, first_track
-from hh_exudyn.multibody.system import evaluate_bundle
+from hh_exudyn.multibody.linear import linearise
+from hh_exudyn.multibody.model import SystemModel, Workspace
 
 LARGEST_STEP = 2e-3  # s, no step above it is looked for
 MARGIN = 0.8  # of the limit at rest: two-point contact in a curve is stiffer than the tread on a straight
-_DISPLACEMENT = 1e-7  # m and rad, of the numerical derivatives
-_VELOCITY = 1e-6  # m/s and rad/s
 
 
 def eigenvalues(model: SystemModel, work: Workspace, state: Equilibrium) -> NDArray[np.complex128]:
-    """Eigenvalues [1/s] of the motion about an equilibrium, friction elements sticking.
-
-    By central differences of the force kernel. The wheelsets' rotation about their axles is taken at angle
-    zero, their gyroscopic moments are left out.
-    """
-    bundle = Bundle(model, work)
-    n = state.q.size
-    mass = np.ones(n)
-    for i in range(model.mass.size):
-        k = BODY_COORDINATES * i
-        mass[k : k + 3] = model.mass[i]
-        mass[k + 3 : k + 6] = model.inertia[i]
-    if model.flexible:
-        mass[first_track(model) : first_creep(model)] = np.tile(model.track_mass, len(model.wheelsets))
-
-    def rate(dq: NDArray[np.float64], dv: NDArray[np.float64]) -> NDArray[np.float64]:
-        evaluate_bundle(bundle, state.sliders, state.q + dq, state.v + dv, 0.0, False)
-        return work.generalized_force / mass
-
-    system = np.zeros((2 * n, 2 * n))
-    system[:n, n:] = np.eye(n)
-    zero = np.zeros(n)
-    for j in range(n):
-        step = np.zeros(n)
-        step[j] = _DISPLACEMENT
-        system[n:, j] = (rate(step, zero) - rate(-step, zero)) / (2 * _DISPLACEMENT)
-        step[j] = _VELOCITY
-        system[n:, n + j] = (rate(zero, step) - rate(zero, -step)) / (2 * _VELOCITY)
-    return np.linalg.eigvals(system).astype(np.complex128)
+    """Eigenvalues [1/s] of the motion about an equilibrium, friction elements sticking (`linear`)."""
+    return np.linalg.eigvals(linearise(model, work, state).system).astype(np.complex128)
 
 
 def largest_stable_step(values: NDArray[np.complex128]) -> float:

@@ -4,7 +4,6 @@ import math
 
 from hh_exudyn.contact.types import FloatArray, Patch
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces
-from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.kernel import Bundle, inlined_kernel, kernel
 from hh_exudyn.multibody.couplings import coupling_forces
 from hh_exudyn.multibody.model import (
@@ -93,7 +92,7 @@ def _body_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArr
             work.angular_velocity[i, axis] = angular_velocity[axis]
             work.force[i, axis] = 0.0
             work.torque[i, axis] = 0.0
-        work.force[i, 2] = -model.mass[i] * GRAVITY
+        work.force[i, 2] = -model.weight[i]
 
 
 @inlined_kernel
@@ -246,7 +245,7 @@ def energies(model: SystemModel, work: Workspace, v: FloatArray) -> tuple[float,
     potential = 0.0
     for i in range(model.mass.size):
         k = BODY_COORDINATES * i
-        potential += model.mass[i] * GRAVITY * work.position[i, 2]
+        potential += model.weight[i] * work.position[i, 2]
         for axis in range(3):
             kinetic += 0.5 * model.mass[i] * v[k + axis] ** 2
             kinetic += 0.5 * model.inertia[i, axis] * v[k + 3 + axis] ** 2
