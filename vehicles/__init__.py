@@ -1,7 +1,8 @@
 """Vehicles as frozen descriptions: bodies, couplings and parameters with their source. No Exudyn here.
 
 ====================  ================================================================================
-`description`         bodies, couplings, wheelsets, vehicles: the drawing
+`description`         bodies, wheelsets, vehicles: the drawing
+`couplings`           what lies between two bodies: springs, rods, stops, wedges, plates
 `parameters`          parameter files, in which every number has its unit and its source
 `three_piece_bogie`   bolster, side frames, wheelsets and what couples them
 `wagon`               the LKAB iron-ore wagon

@@ -1,16 +1,21 @@
 """What a vehicle is made of: bodies, couplings, wheelsets, as frozen values that know nothing of a solver.
 
 Drawing frame of a vehicle: x forward from its middle, y left, z up from the rail tops, all springs
-unloaded. Couplings are placed by the point of the drawing where they act; displacement is that of body B
-relative to body A in the axes of body A, zero on the drawing.
+unloaded. What lies between the bodies: `couplings`.
 """
 
 import math
 from dataclasses import dataclass
 
-Vector = tuple[float, float, float]
+from vehicles.couplings import AxleBox, AxleBoxPad, BumpStop, Coupling, Rod, Vector
 
-BODY_KINDS = ("car_body", "bolster", "side_frame", "wheelset")
+BODY_KINDS = ("car_body", "bogie_frame", "bolster", "side_frame", "motor", "wheelset")
+_ON_AN_AXLE = (
+    AxleBox,
+    AxleBoxPad,
+    Rod,
+    BumpStop,
+)  # couplings that do not feel the spin of a wheelset as their body B
 
 
 @dataclass(frozen=True)
@@ -22,6 +27,7 @@ class Body:
     mass: float  # [kg]
     inertia: Vector  # about x, y, z through the centre of mass [kg m^2]
     position: Vector  # of the centre of mass on the drawing [m]
+    deflection: float = 0.0  # downwards under load, roughly: where the static equilibrium is looked for [m]
 
     def __post_init__(self) -> None:
         if self.kind not in BODY_KINDS:
@@ -33,138 +39,19 @@ class Body:
 
 
 @dataclass(frozen=True)
-class AxleBoxPad:
-    """Linear elastic pad between a side frame (A) and the axle of a wheelset (B), which spins freely."""
+class Coupler:
+    """The train: it pulls at the coupler heads along the track, and keeps the speed."""
 
-    name: str
-    body_a: str
-    body_b: str
-    point: Vector  # on the axle's centre line [m]
-    stiffness: Vector  # [N/m]
-    damping: Vector  # [N s/m]
-    roll_stiffness: float  # [N m/rad]
-    yaw_stiffness: float  # [N m/rad]
-
-
-@dataclass(frozen=True)
-class SpringNest:
-    """Two-stage load springs between a side frame (A) and a bolster end (B), with lateral stops."""
-
-    name: str
-    body_a: str
-    body_b: str
-    point: Vector
-    first_stiffness: float  # vertical, outer coils alone [N/m]
-    second_stiffness: float  # vertical, all coils [N/m]
-    second_from: float  # compression at which the inner coils touch [m]
-    longitudinal_stiffness: float  # shear of the coils and guidance by the columns [N/m]
-    lateral_stiffness: float  # shear of the coils [N/m]
-    roll_stiffness: float  # [N m/rad]
-    pitch_stiffness: float  # [N m/rad]
-    warp_stiffness: float  # yaw of the bolster in the side frame [N m/rad]
-    shear_damping: float  # longitudinal and lateral [N s/m]
-    vertical_damping: float  # [N s/m]
-    roll_damping: float  # [N m s/rad]
-    pitch_damping: float  # [N m s/rad]
-    warp_damping: float  # [N m s/rad]
-    stop_clearance: float  # lateral [m]
-    stop_stiffness: float  # lateral [N/m]
-
-
-@dataclass(frozen=True)
-class Wedge:
-    """Friction wedge between a side frame's column (A) and a bolster's slope (B), see `force_laws.wedge`.
-
-    Raises ValueError where the wedge would jam: tan(slope + ratio atan(slope_friction)) <= friction.
-    """
-
-    name: str
-    body_a: str
-    body_b: str
-    point: Vector
-    direction: int  # +1: the column is ahead of the bolster, -1: behind it
-    spring_stiffness: float  # control spring [N/m]
-    preload: float  # of the control spring on the drawing [N]
-    slope: float  # angle of the bolster's face from the vertical [rad]
-    friction: float  # of the column
-    slope_friction: float  # of the slope
-    slope_friction_ratio: float  # share of the slope's friction that is mobilised, -1..1
-    stick_stiffness: float  # of the sticking contact [N/m]
-    stick_damping: float  # [N s/m]
-
-    @property
-    def tan_slope(self) -> float:
-        """tan(a + r atan(mu1)), the ratio of the wedge's vertical to its column force."""
-        return math.tan(self.slope + self.slope_friction_ratio * math.atan(self.slope_friction))
+    bodies: tuple[str, ...]  # of each coupler head
+    points: tuple[Vector, ...]  # coupler heads on the drawing [m]
+    stiffness: float  # of all heads together, towards a train that runs at constant speed [N/m]
+    damping: float  # [N s/m]
 
     def __post_init__(self) -> None:
-        if not -1.0 <= self.slope_friction_ratio <= 1.0:
+        if not self.points or len(self.bodies) != len(self.points):
             raise ValueError(
-                f"wedge {self.name}: slope_friction_ratio {self.slope_friction_ratio} must be -1..1"
+                f"coupler: {len(self.points)} heads on {len(self.bodies)} bodies; each head needs its body"
             )
-        if self.tan_slope <= self.friction:
-            raise ValueError(
-                f"wedge {self.name} jams: tan(slope) {self.tan_slope:.3f} (slope "
-                f"{math.degrees(self.slope):.1f} deg, slope friction {self.slope_friction}) must exceed the "
-                f"column friction {self.friction}"
-            )
-
-    def normal_force(self, spring_force: float, motion: int) -> float:
-        """Column force N2 [N] in sliding; motion +1 loading, -1 unloading (sources: vehicles.md 1.3)."""
-        return spring_force / (self.tan_slope - motion * self.friction)
-
-
-@dataclass(frozen=True)
-class CentrePlate:
-    """Flat centre plate: a bolster (A) carries the car body (B) on a ring of one-sided contacts.
-
-    Dry friction holds the plates against shear and yaw (bound of the yaw torque: 2/3 mu N radius); the rim
-    limits the shear.
-    """
-
-    name: str
-    body_a: str
-    body_b: str
-    point: Vector
-    radius: float  # [m]
-    stiffness: float  # vertical, whole plate [N/m]
-    damping: float  # vertical, whole plate [N s/m]
-    friction: float
-    stick_stiffness: float  # shear of the sticking plates [N/m]
-    stick_damping: float  # [N s/m]
-    rim_clearance: float  # [m]
-    rim_stiffness: float  # [N/m]
-
-
-@dataclass(frozen=True)
-class SideBearer:
-    """Constant-contact side bearer: preloaded spring with a friction face, and a solid stop."""
-
-    name: str
-    body_a: str
-    body_b: str
-    point: Vector
-    preload: float  # [N]
-    stiffness: float  # [N/m]
-    damping: float  # [N s/m]
-    stop_clearance: float  # further compression until solid [m]
-    stop_stiffness: float  # [N/m]
-    friction: float
-    stick_stiffness: float  # shear [N/m]
-    stick_damping: float  # [N s/m]
-
-
-Coupling = AxleBoxPad | SpringNest | Wedge | CentrePlate | SideBearer
-
-
-@dataclass(frozen=True)
-class Coupler:
-    """The train: it pulls at both coupler heads of the car body along the track, and keeps the speed."""
-
-    body: str
-    points: tuple[Vector, ...]  # coupler heads on the drawing [m]
-    stiffness: float  # towards a train that runs at constant speed [N/m]
-    damping: float  # [N s/m]
 
 
 @dataclass(frozen=True)
@@ -172,8 +59,9 @@ class Wheelset:
     """A wheelset's place in the vehicle and its wheels."""
 
     body: str
-    bogie: int  # from 1 at the leading end
+    bogie: int  # of the unit, from 1 at the leading end
     radius: float  # wheel radius at the running circle [m]
+    unit: int = 1  # of a vehicle of several units, from 1 at the leading end
 
 
 @dataclass(frozen=True)
@@ -192,9 +80,24 @@ class Vehicle:
         if len(set(names)) != len(names):
             raise ValueError(f"vehicle {self.name}: body names are not unique: {names}")
         wanted = {name for coupling in self.couplings for name in (coupling.body_a, coupling.body_b)}
-        wanted |= {wheelset.body for wheelset in self.wheelsets} | {self.coupler.body}
+        wanted |= {wheelset.body for wheelset in self.wheelsets} | set(self.coupler.bodies)
         if unknown := wanted - set(names):
             raise ValueError(f"vehicle {self.name}: no body named {', '.join(sorted(unknown))}")
+        spinning = {wheelset.body for wheelset in self.wheelsets}
+        for c in self.couplings:
+            if c.body_a in spinning or (c.body_b in spinning and not isinstance(c, _ON_AN_AXLE)):
+                allowed = ", ".join(kind.__name__ for kind in _ON_AN_AXLE)
+                raise ValueError(
+                    f"vehicle {self.name}: {type(c).__name__} {c.name} would be wound up by its spinning "
+                    f"wheelset; allowed: {allowed} with the wheelset as body B"
+                )
+            end = c.point_b if isinstance(c, Rod) else c.point
+            axle = self.body(c.body_b).position
+            if c.body_b in spinning and math.hypot(end[0] - axle[0], end[2] - axle[2]) > 1e-6:
+                raise ValueError(
+                    f"vehicle {self.name}: {type(c).__name__} {c.name} is fixed to its spinning wheelset at "
+                    f"{end} m; it must be on the axle's centre line, x = {axle[0]:g} m, z = {axle[2]:g} m"
+                )
 
     def body(self, name: str) -> Body:
         """The body of that name."""

@@ -2,20 +2,13 @@
 
 import math
 
-from vehicles.description import (
-    AxleBoxPad,
-    Body,
-    CentrePlate,
-    Coupling,
-    SideBearer,
-    SpringNest,
-    Vector,
-    Wedge,
-    Wheelset,
-)
+from vehicles.couplings import AxleBox, CentrePlate, Coupling, SideBearer, SpringNest, Vector, Wedge
+from vehicles.description import Body, Wheelset
 from vehicles.parameters import ParameterSet
 
 SIDES = ((1, "L"), (-1, "R"))
+SPRING_DEFLECTION = 0.03  # m, between empty and loaded: where the equilibrium is looked for
+PAD_DEFLECTION = 1e-3
 
 
 def bogie_bodies(p: ParameterSet, number: int, middle: float) -> tuple[Body, ...]:
@@ -27,6 +20,7 @@ def bogie_bodies(p: ParameterSet, number: int, middle: float) -> tuple[Body, ...
         p["bolster.mass"],
         (p["bolster.roll_inertia"], p["bolster.pitch_inertia"], p["bolster.yaw_inertia"]),
         (middle, 0.0, p["bolster.height"]),
+        SPRING_DEFLECTION,
     )
     side_frames = tuple(
         Body(
@@ -35,6 +29,7 @@ def bogie_bodies(p: ParameterSet, number: int, middle: float) -> tuple[Body, ...
             p["side_frame.mass"],
             (p["side_frame.roll_inertia"], p["side_frame.pitch_inertia"], p["side_frame.yaw_inertia"]),
             (middle, side * spacing, p["side_frame.height"]),
+            PAD_DEFLECTION,
         )
         for side, letter in SIDES
     )
@@ -71,7 +66,7 @@ def bogie_couplings(p: ParameterSet, number: int, middle: float, car_body: str) 
         for end in (1, -1):
             x = middle + end * p["wheelset.wheelbase"] / 2
             couplings.append(
-                _pad(p, side_frame, wheelset_name(number, end), (x, lateral, p["wheelset.radius"]))
+                _axle_box(p, side_frame, wheelset_name(number, end), (x, lateral, p["wheelset.radius"]))
             )
         couplings.append(_nest(p, side_frame, bolster, (middle, lateral, p["spring_nest.height"])))
         for end in (1, -1):
@@ -84,9 +79,9 @@ def bogie_couplings(p: ParameterSet, number: int, middle: float, car_body: str) 
     return tuple(couplings)
 
 
-def _pad(p: ParameterSet, side_frame: str, wheelset: str, point: Vector) -> AxleBoxPad:
-    return AxleBoxPad(
-        name=f"pad_{wheelset}_{side_frame[-1]}",
+def _axle_box(p: ParameterSet, side_frame: str, wheelset: str, point: Vector) -> AxleBox:
+    return AxleBox(
+        name=f"axle_box_{wheelset}_{side_frame[-1]}",
         body_a=side_frame,
         body_b=wheelset,
         point=point,
@@ -102,6 +97,10 @@ def _pad(p: ParameterSet, side_frame: str, wheelset: str, point: Vector) -> Axle
         ),
         roll_stiffness=p["axle_box_pad.roll_stiffness"],
         yaw_stiffness=p["axle_box_pad.yaw_stiffness"],
+        friction=p["axle_box.friction"],
+        longitudinal_clearance=p["axle_box.longitudinal_clearance"],
+        lateral_clearance=p["axle_box.lateral_clearance"],
+        stop_stiffness=p["axle_box.stop_stiffness"],
     )
 
 
@@ -139,6 +138,9 @@ def _wedge(p: ParameterSet, side_frame: str, bolster: str, point: Vector, end: i
         spring_stiffness=p["wedge.spring_stiffness"],
         preload=p["wedge.preload"],
         slope=math.radians(p["wedge.slope"]),
+        toe=math.radians(p["wedge.toe"]),
+        width=p["wedge.width"],
+        wear=p["wedge.wear"],
         friction=p["wedge.friction"],
         slope_friction=p["wedge.slope_friction"],
         slope_friction_ratio=p["wedge.slope_friction_ratio"],

@@ -2,9 +2,10 @@
 
 import math
 
-from vehicles.description import Body, Coupler, Coupling, Vehicle, Wheelset
+from vehicles.couplings import Coupling
+from vehicles.description import Body, Coupler, Vehicle, Wheelset
 from vehicles.parameters import ParameterSet
-from vehicles.three_piece_bogie import bogie_bodies, bogie_couplings, bogie_wheelsets
+from vehicles.three_piece_bogie import SPRING_DEFLECTION, bogie_bodies, bogie_couplings, bogie_wheelsets
 
 
 def ore_wagon(name: str, p: ParameterSet, payload: float) -> Vehicle:
@@ -65,6 +66,7 @@ def _car_body(p: ParameterSet, payload: float) -> Body:
             tare * p["car_body.tare_yaw_gyration"] ** 2 + payload * (length**2 + width**2) / 12,
         ),
         (0.0, 0.0, height),
+        SPRING_DEFLECTION,
     )
 
 
@@ -73,7 +75,7 @@ def _coupler(p: ParameterSet, body: str, mass: float) -> Coupler:
     pulsation = 2 * math.pi * p["coupler.train_frequency"]
     end = p["wagon.length"] / 2
     return Coupler(
-        body=body,
+        bodies=(body, body),
         points=((end, 0.0, p["coupler.height"]), (-end, 0.0, p["coupler.height"])),
         stiffness=mass * pulsation**2,
         damping=2 * p["coupler.train_damping_ratio"] * mass * pulsation,

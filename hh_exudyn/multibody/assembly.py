@@ -27,7 +27,20 @@ from hh_exudyn.multibody.model import (
 from track.alignment import Alignment, inclined_frame
 from track.flexibility import track_flexibility
 from track.irregularity_table import IrregularityTable, smooth_track
-from vehicles.description import AxleBoxPad, CentrePlate, Coupling, SideBearer, SpringNest, Vehicle, Wedge
+from vehicles.couplings import (
+    AxleBox,
+    AxleBoxPad,
+    BumpStop,
+    Bushing,
+    CentrePlate,
+    Coupling,
+    Rod,
+    SideBearer,
+    SpringNest,
+    Vector,
+    Wedge,
+)
+from vehicles.description import Vehicle
 from vehicles.start import start_front, start_middle
 
 SHORTEST_TRANSITION = 5e-3  # m, a wheel about to lift off has a patch too short for any time step
@@ -99,11 +112,10 @@ def _irregularity(vehicle: Vehicle, case: Case, alignment: Alignment) -> Irregul
 
 def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
     coupler = vehicle.coupler
-    body = vehicle.body(coupler.body)
     heads = np.array(coupler.points)
     return Train(
-        body=numbers[coupler.body],
-        heads=heads - np.array(body.position),
+        bodies=np.array([numbers[body] for body in coupler.bodies], dtype=np.int64),
+        heads=heads - np.array([vehicle.body(body).position for body in coupler.bodies]),
         start=start_middle(vehicle) + heads[:, 0],
         stiffness=coupler.stiffness,
         damping=coupler.damping,
@@ -114,20 +126,29 @@ def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
 def _couplings(vehicle: Vehicle, numbers: dict[str, int]) -> Couplings:
     positions = {body.name: np.array(body.position) for body in vehicle.bodies}
     packed = [_pack(coupling) for coupling in vehicle.couplings]
-    points = [np.array(coupling.point) for coupling in vehicle.couplings]
-    arms = {
-        end: [point - positions[getattr(c, end)] for point, c in zip(points, vehicle.couplings, strict=True)]
-        for end in ("body_a", "body_b")
-    }
+    ends = [_ends(coupling) for coupling in vehicle.couplings]
+    arms_a, arms_b = (
+        [np.array(end[k]) - positions[body] for end, body in zip(ends, bodies, strict=True)]
+        for k, bodies in enumerate(
+            ([c.body_a for c in vehicle.couplings], [c.body_b for c in vehicle.couplings])
+        )
+    )
     parameters = [row + [0.0] * (PARAMETERS - len(row)) for _, row in packed]
     return Couplings(
         kind=np.array([kind for kind, _ in packed], dtype=np.int64),
         body_a=np.array([numbers[coupling.body_a] for coupling in vehicle.couplings], dtype=np.int64),
         body_b=np.array([numbers[coupling.body_b] for coupling in vehicle.couplings], dtype=np.int64),
-        point_a=np.array(arms["body_a"]).reshape(-1, 3),  # a vehicle may have no couplings at all
-        point_b=np.array(arms["body_b"]).reshape(-1, 3),
+        point_a=np.array(arms_a).reshape(-1, 3),  # a vehicle may have no couplings at all
+        point_b=np.array(arms_b).reshape(-1, 3),
         parameters=np.array(parameters).reshape(-1, PARAMETERS),
     )
+
+
+def _ends(coupling: Coupling) -> tuple[Vector, Vector]:
+    """Where a coupling is fixed to its bodies A and B on the drawing [m]."""
+    if isinstance(coupling, Rod):
+        return coupling.point_a, coupling.point_b
+    return coupling.point, coupling.point
 
 
 def _pack(coupling: Coupling) -> tuple[Kind, list[float]]:
@@ -136,6 +157,17 @@ def _pack(coupling: Coupling) -> tuple[Kind, list[float]]:
     match c:
         case AxleBoxPad():
             return Kind.AXLE_BOX_PAD, [*c.stiffness, *c.damping, c.roll_stiffness, c.yaw_stiffness]
+        case AxleBox():
+            return Kind.AXLE_BOX, [
+                *c.stiffness,
+                *c.damping,
+                c.roll_stiffness,
+                c.yaw_stiffness,
+                c.friction,
+                c.longitudinal_clearance,
+                c.lateral_clearance,
+                c.stop_stiffness,
+            ]
         case SpringNest():
             return Kind.SPRING_NEST, [
                 c.first_stiffness,
@@ -158,12 +190,16 @@ def _pack(coupling: Coupling) -> tuple[Kind, list[float]]:
             return Kind.WEDGE, [
                 float(c.direction),
                 c.spring_stiffness,
-                c.preload / c.spring_stiffness,
+                c.spring_share,
+                c.compression,
+                math.tan(c.slope),
+                c.toe,
+                math.tan(c.force_slope),
                 c.tan_slope,
                 c.friction,
                 c.stick_stiffness,
                 c.stick_damping,
-                math.tan(c.slope),
+                c.width,
             ]
         case CentrePlate():
             return Kind.CENTRE_PLATE, [
@@ -187,6 +223,19 @@ def _pack(coupling: Coupling) -> tuple[Kind, list[float]]:
                 c.stick_stiffness,
                 c.stick_damping,
             ]
+        case Bushing():
+            return Kind.BUSHING, [
+                *c.stiffness,
+                *c.damping,
+                *c.rotational_stiffness,
+                *c.rotational_damping,
+                *c.preload,
+            ]
+        case Rod():
+            return Kind.ROD, [c.length, c.stiffness, c.damping]
+        case BumpStop():
+            points = [value for point in c.table for value in point]
+            return Kind.BUMP_STOP, [*c.axis, float(c.odd), float(len(c.table)), *points]
 
 
 def exudyn_system(

@@ -1,29 +1,25 @@
 """All couplings of a vehicle in one kernel: relative motion, force law, forces and torques on both bodies.
 
 A coupling's displacement is that of its point on body B relative to body A, in the axes of A; force and
-moment act on B there, and their opposites on A at the same place, so that no coupling makes energy.
+moment act on B there, and their opposites on A at the same place, so that no coupling makes energy. The laws
+themselves: `general_couplings` and `bogie_couplings`.
 """
-
-import math
-
-import numpy as np
 
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import inlined_kernel, kernel
-from hh_exudyn.multibody.model import Couplings, Kind, Ledger, Workspace
+from hh_exudyn.multibody.bogie_couplings import nest, plate, side_bearer, wedge
+from hh_exudyn.multibody.general_couplings import axle_box, bump_stop, bushing, pad, rod
+from hh_exudyn.multibody.model import Couplings, Kind, Workspace
 from hh_exudyn.multibody.vectors import Triple, add_to, cross, rotate, rotate_back, triple
-from vehicles.force_laws import clearance_stop, dry_friction, two_stage_spring, wedge
 
 _PAD = int(Kind.AXLE_BOX_PAD)
 _NEST = int(Kind.SPRING_NEST)
 _WEDGE = int(Kind.WEDGE)
 _PLATE = int(Kind.CENTRE_PLATE)
-_FRICTION = int(Ledger.FRICTION_POWER)
-_DAMPER = int(Ledger.DAMPER_POWER)
-
-RING_POINTS = 8
-_RING_X = np.cos(2.0 * np.pi * (np.arange(RING_POINTS) + 0.5) / RING_POINTS)
-_RING_Y = np.sin(2.0 * np.pi * (np.arange(RING_POINTS) + 0.5) / RING_POINTS)
+_SIDE_BEARER = int(Kind.SIDE_BEARER)
+_BUSHING = int(Kind.BUSHING)
+_ROD = int(Kind.ROD)
+_AXLE_BOX = int(Kind.AXLE_BOX)
 
 
 @inlined_kernel
@@ -60,12 +56,23 @@ def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, wor
         )
         parameters = couplings.parameters[i]
         kind = couplings.kind[i]
+        moment = (0.0, 0.0, 0.0)
         if kind == _PAD:
-            force, moment = _pad(parameters, displacement, rate, rotation_a, work.rotation[b], work)
-        elif kind == _WEDGE:
-            force = _wedge(parameters, displacement, rate, sliders[i], settle, work.new_sliders[i], work)
-            moment = (0.0, 0.0, 0.0)
-        else:
+            force, moment = pad(parameters, displacement, rate, rotation_a, work.rotation[b], work)
+        elif kind == _AXLE_BOX:
+            force, moment = axle_box(
+                parameters,
+                displacement,
+                rate,
+                rotation_a,
+                work.rotation[b],
+                sliders[i],
+                work.new_sliders[i],
+                work,
+            )
+        elif kind == _SIDE_BEARER:
+            force = side_bearer(parameters, displacement, rate, sliders[i], work.new_sliders[i], work)
+        elif kind in (_NEST, _WEDGE, _PLATE, _BUSHING):
             angle = _relative_rotation(rotation_a, work.rotation[b])
             turn = rotate_back(
                 rotation_a,
@@ -76,14 +83,29 @@ def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, wor
                 ),
             )
             if kind == _NEST:
-                force, moment = _nest(parameters, displacement, rate, angle, turn, work)
+                force, moment = nest(parameters, displacement, rate, angle, turn, work)
+            elif kind == _WEDGE:
+                force, moment = wedge(
+                    parameters,
+                    displacement,
+                    rate,
+                    angle,
+                    turn,
+                    sliders[i],
+                    settle,
+                    work.new_sliders[i],
+                    work,
+                )
             elif kind == _PLATE:
-                force, moment = _plate(
+                force, moment = plate(
                     parameters, displacement, rate, angle, turn, sliders[i], work.new_sliders[i], work
                 )
             else:
-                force = _side_bearer(parameters, displacement, rate, sliders[i], work.new_sliders[i], work)
-                moment = (0.0, 0.0, 0.0)
+                force, moment = bushing(parameters, displacement, rate, angle, turn, work)
+        elif kind == _ROD:
+            force = rod(parameters, displacement, rate, work)
+        else:
+            force = bump_stop(parameters, displacement)
         force = rotate(rotation_a, force)
         moment = rotate(rotation_a, moment)
         add_to(work.force[b], force, 1.0)
@@ -105,168 +127,3 @@ def _relative_rotation(rotation_a: FloatArray, rotation_b: FloatArray) -> Triple
         y += rotation_a[k, 0] * rotation_b[k, 2] - rotation_a[k, 2] * rotation_b[k, 0]
         z += rotation_a[k, 1] * rotation_b[k, 0] - rotation_a[k, 0] * rotation_b[k, 1]
     return 0.5 * x, 0.5 * y, 0.5 * z
-
-
-@inlined_kernel
-def _pad(
-    p: FloatArray, d: Triple, v: Triple, rotation_a: FloatArray, rotation_b: FloatArray, work: Workspace
-) -> tuple[Triple, Triple]:
-    """Linear pad; the wheelset spins, so roll and yaw are those of its axle direction."""
-    stiffness, damping = (p[0], p[1], p[2]), (p[3], p[4], p[5])
-    roll_stiffness, yaw_stiffness = p[6], p[7]
-    work.ledger[_DAMPER] += damping[0] * v[0] ** 2 + damping[1] * v[1] ** 2 + damping[2] * v[2] ** 2
-    axle = rotate_back(rotation_a, (rotation_b[0, 1], rotation_b[1, 1], rotation_b[2, 1]))
-    return (
-        (
-            -stiffness[0] * d[0] - damping[0] * v[0],
-            -stiffness[1] * d[1] - damping[1] * v[1],
-            -stiffness[2] * d[2] - damping[2] * v[2],
-        ),
-        (-roll_stiffness * axle[2], 0.0, yaw_stiffness * axle[0]),
-    )
-
-
-@inlined_kernel
-def _nest(
-    p: FloatArray, d: Triple, v: Triple, angle: Triple, turn: Triple, work: Workspace
-) -> tuple[Triple, Triple]:
-    """Two-stage springs with shear, rotational stiffness and lateral stops."""
-    first_stiffness, second_stiffness, second_from = p[0], p[1], p[2]
-    longitudinal, lateral = p[3], p[4]
-    roll, pitch, warp = p[5], p[6], p[7]
-    shear_damping, vertical_damping = p[8], p[9]
-    roll_damping, pitch_damping, warp_damping = p[10], p[11], p[12]
-    stop_clearance, stop_stiffness = p[13], p[14]
-    work.ledger[_DAMPER] += shear_damping * (v[0] ** 2 + v[1] ** 2) + vertical_damping * v[2] ** 2
-    work.ledger[_DAMPER] += roll_damping * turn[0] ** 2 + pitch_damping * turn[1] ** 2
-    work.ledger[_DAMPER] += warp_damping * turn[2] ** 2
-    spring = two_stage_spring(-d[2], first_stiffness, second_stiffness, second_from)
-    stop = clearance_stop(d[1], stop_clearance, stop_stiffness)
-    return (
-        (
-            -longitudinal * d[0] - shear_damping * v[0],
-            -lateral * d[1] - shear_damping * v[1] + stop,
-            spring - vertical_damping * v[2],
-        ),
-        (
-            -roll * angle[0] - roll_damping * turn[0],
-            -pitch * angle[1] - pitch_damping * turn[1],
-            -warp * angle[2] - warp_damping * turn[2],
-        ),
-    )
-
-
-@inlined_kernel
-def _wedge(
-    p: FloatArray,
-    d: Triple,
-    v: Triple,
-    slider: FloatArray,
-    settle: bool,
-    new_slider: FloatArray,
-    work: Workspace,
-) -> Triple:
-    """Wedge: it goes down with the bolster, and when the bolster moves towards its column.
-
-    Its way follows the slope of the face, its force that slope with the friction of the face.
-    """
-    direction, spring_stiffness, drawing_compression, tan_slope = p[0], p[1], p[2], p[3]
-    friction, stick_stiffness, stick_damping, tan_face = p[4], p[5], p[6], p[7]
-    compression = drawing_compression - d[2] + direction * d[0] / tan_face
-    compression_rate = -v[2] + direction * v[0] / tan_face
-    slider_compression = compression if settle else slider[0]
-    lift, lateral, new_slider[0], new_slider[1] = wedge(
-        compression,
-        d[1],
-        slider_compression,
-        slider[1],
-        compression_rate,
-        v[1],
-        spring_stiffness,
-        tan_slope,
-        friction,
-        stick_stiffness,
-        stick_damping,
-    )
-    force = (-direction * lift / tan_slope, lateral, lift)
-    taken = -(force[0] * v[0] + force[1] * v[1] + force[2] * v[2])
-    work.ledger[_FRICTION] += taken - spring_stiffness * max(compression, 0.0) * compression_rate
-    return force
-
-
-@inlined_kernel
-def _plate(
-    p: FloatArray,
-    d: Triple,
-    v: Triple,
-    angle: Triple,
-    turn: Triple,
-    slider: FloatArray,
-    new_slider: FloatArray,
-    work: Workspace,
-) -> tuple[Triple, Triple]:
-    """Centre plate: a ring of one-sided contacts, dry friction in shear and yaw, and the rim.
-
-    The bounds of shear (mu N) and yaw (2/3 mu N radius) are kept apart: a plate that slides in yaw holds
-    against shear as if it did not, which the rim's clearance makes of little effect.
-    """
-    radius, stiffness, damping = p[0], p[1] / RING_POINTS, p[2] / RING_POINTS
-    friction, stick_stiffness, stick_damping = p[3], p[4], p[5]
-    rim_clearance, rim_stiffness = p[6], p[7]
-    load = 0.0
-    moment_x = 0.0
-    moment_y = 0.0
-    for k in range(RING_POINTS):
-        x = radius * _RING_X[k]
-        y = radius * _RING_Y[k]
-        compression = -(d[2] + angle[0] * y - angle[1] * x)
-        if compression > 0.0:
-            compression_rate = -(v[2] + turn[0] * y - turn[1] * x)
-            force = max(stiffness * compression + damping * compression_rate, 0.0)
-            work.ledger[_DAMPER] += (force - stiffness * compression) * compression_rate
-            load += force
-            moment_x += force * y
-            moment_y -= force * x
-    force_x, force_y, new_slider[0], new_slider[1] = dry_friction(
-        d[0], d[1], slider[0], slider[1], v[0], v[1], stick_stiffness, stick_damping, friction * load
-    )
-    # two thirds of the radius: friction torque of a uniformly loaded flat disc
-    arm = 2.0 / 3.0 * radius
-    torque, _, new_slider[2], _ = dry_friction(
-        angle[2],
-        0.0,
-        slider[2],
-        0.0,
-        turn[2],
-        0.0,
-        stick_stiffness * arm**2,
-        stick_damping * arm**2,
-        friction * load * arm,
-    )
-    work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1] + torque * turn[2]
-    shear = math.hypot(d[0], d[1])
-    if shear > rim_clearance:
-        rim = -rim_stiffness * (shear - rim_clearance) / shear
-        force_x += rim * d[0]
-        force_y += rim * d[1]
-    return (force_x, force_y, load), (moment_x, moment_y, torque)
-
-
-@inlined_kernel
-def _side_bearer(
-    p: FloatArray, d: Triple, v: Triple, slider: FloatArray, new_slider: FloatArray, work: Workspace
-) -> Triple:
-    """Constant-contact side bearer with its solid stop and the friction of its face."""
-    preload, stiffness, damping, stop_clearance, stop_stiffness = p[0], p[1], p[2], p[3], p[4]
-    friction, stick_stiffness, stick_damping = p[5], p[6], p[7]
-    compression = preload / stiffness - d[2]
-    load = 0.0
-    if compression > 0.0:
-        spring = stiffness * compression + stop_stiffness * max(-d[2] - stop_clearance, 0.0)
-        load = max(spring - damping * v[2], 0.0)
-        work.ledger[_DAMPER] -= (load - spring) * v[2]
-    force_x, force_y, new_slider[0], new_slider[1] = dry_friction(
-        d[0], d[1], slider[0], slider[1], v[0], v[1], stick_stiffness, stick_damping, friction * load
-    )
-    work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1]
-    return force_x, force_y, load

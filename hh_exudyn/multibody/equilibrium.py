@@ -29,7 +29,6 @@ from vehicles.start import start_middle
 FORCE_TOLERANCE = 5.0  # N or N m, of any body, on weights of 1e4..1e6 N
 _LENGTH_SCALE = 1e-3  # of the unknowns, m and rad
 _FORCE_SCALE = 1e3  # residuals are in thousandths of the weight
-_SPRING_GUESS = 0.03  # m, first guess of the deflection of the load springs, between empty and loaded
 _HEIGHT_RANGE = 5e-3  # m, in which the wheels meet the rails: profiles and track height differ by less
 _DEFLECTION_GUESS = 2e-3  # m, of the track under a loaded wheel
 
@@ -50,9 +49,9 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
     """Solve for poses, rolling speeds and the force of the train on straight track of one gradient.
 
     The wheels roll, so the unknowns of a wheelset's pitch and creep are rates, not places; the vehicle
-    stands at a given place, so the unknown of the car body's place is that of the train, which is left in
-    `model.train.start`. Wedges carry no vertical friction, as after a long smooth ride; all other sliders
-    rest where the drawing has them.
+    stands at a given place, so the unknown of the place of the front coupler head's body is that of the
+    train, which is left in `model.train.start`. Wedges carry no vertical friction, as after a long smooth
+    ride; all other sliders rest where the drawing has them.
 
     Raises
     ------
@@ -67,7 +66,7 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
     sliders = np.zeros_like(work.new_sliders)
     bundle = Bundle(model, work)
     spins = [BODY_COORDINATES * int(i) + 4 for i in model.wheelsets]
-    place = BODY_COORDINATES * model.train.body
+    place = BODY_COORDINATES * int(model.train.bodies[0])
     stands = q[place]
     weight = float(model.mass.sum()) * GRAVITY
     start = model.train.start.copy()
@@ -105,7 +104,7 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
 def _guess(
     vehicle: Vehicle, model: SystemModel, work: Workspace, middle: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Drawing lowered by rough deflections until the wheels carry the weight, all at the train's speed.
+    """The drawing, deflected, lowered until the wheels carry the weight; all at the train's speed.
 
     On a gradient it is turned with the track; wheelsets stay at rotation angle zero about their axles.
     """
@@ -116,10 +115,9 @@ def _guess(
     speed = model.train.speed / math.cos(pitch)  # the train's counts in plan
     turn = np.empty((3, 3))
     inclined_rotation(0.0, pitch, 0.0, turn)
-    sunk = {"wheelset": 0.0, "side_frame": 1e-3, "bolster": _SPRING_GUESS, "car_body": _SPRING_GUESS}
     for i, body in enumerate(vehicle.bodies):
         k = BODY_COORDINATES * i
-        q[k : k + 3] = origin + turn @ (np.array(body.position) - [0.0, 0.0, sunk[body.kind] + track])
+        q[k : k + 3] = origin + turn @ (np.array(body.position) - [0.0, 0.0, body.deflection + track])
         q[k + 4] = pitch
         v[k : k + 3] = speed * turn[:, 0]
     for wheelset, i in zip(vehicle.wheelsets, model.wheelsets, strict=True):

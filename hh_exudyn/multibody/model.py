@@ -44,6 +44,10 @@ class Kind(IntEnum):
     WEDGE = 2
     CENTRE_PLATE = 3
     SIDE_BEARER = 4
+    BUSHING = 5
+    ROD = 6
+    BUMP_STOP = 7
+    AXLE_BOX = 8
 
 
 class Ledger(IntEnum):
@@ -56,8 +60,8 @@ class Ledger(IntEnum):
     DAMPER_POWER = 4
 
 
-SLIDERS = 3  # slider coordinates reserved for each coupling
-PARAMETERS = 16  # numbers reserved for each coupling
+SLIDERS = 4  # slider coordinates reserved for each coupling
+PARAMETERS = 25  # numbers reserved for each coupling
 
 
 class Couplings(NamedTuple):
@@ -74,10 +78,10 @@ class Couplings(NamedTuple):
 class Train(NamedTuple):
     """The train the vehicle is coupled to, running at constant speed."""
 
-    body: int
-    heads: FloatArray  # (2, 3) coupler heads in the axes of the body [m]
-    start: FloatArray  # (2,) arc length of the heads at time 0 without coupler force [m]
-    stiffness: float  # both couplers together [N/m]
+    bodies: IntArray  # (heads,) body number of each coupler head
+    heads: FloatArray  # (heads, 3) coupler heads in the axes of their bodies [m]
+    start: FloatArray  # (heads,) arc length of the heads at time 0 without coupler force [m]
+    stiffness: float  # all heads together [N/m]
     damping: float  # [N s/m]
     speed: float  # [m/s]
 
@@ -109,7 +113,7 @@ class Workspace(NamedTuple):
     angular_velocity: FloatArray  # (bodies, 3), global axes
     force: FloatArray  # (bodies, 3), global axes
     torque: FloatArray  # (bodies, 3), global axes
-    arc_length: FloatArray  # (wheelsets + 2,) of the wheelsets and the coupler heads, also the next guess
+    arc_length: FloatArray  # (wheelsets + heads,), also the next guess
     track_rotation: FloatArray  # (wheelsets, 3, 3) frame T to global
     frame_position: FloatArray  # (wheelsets, 3) of the wheelsets in their frames T
     frame_axle: FloatArray  # (wheelsets, 3)
@@ -156,7 +160,7 @@ def workspace(model: SystemModel) -> Workspace:
         angular_velocity=np.zeros((bodies, 3)),
         force=np.zeros((bodies, 3)),
         torque=np.zeros((bodies, 3)),
-        arc_length=np.zeros(wheelsets + 2),
+        arc_length=np.zeros(wheelsets + len(model.train.bodies)),
         track_rotation=np.zeros((wheelsets, 3, 3)),
         frame_position=np.zeros((wheelsets, 3)),
         frame_axle=np.zeros((wheelsets, 3)),

@@ -27,7 +27,7 @@ class LogWriter:
     def __init__(self, vehicle: Vehicle, model: SystemModel, work: Workspace, recorder: Recorder) -> None:
         self._bundle = Bundle(model, work)
         self._recorder = recorder
-        self._bogies = np.array([wheelset.bogie for wheelset in vehicle.wheelsets])
+        self._places = _places(vehicle)
         self._contact = np.zeros((len(vehicle.wheelsets) * 2 * MAX_PATCHES, len(CONTACT)))
         self._motion = np.zeros((len(vehicle.bodies), len(MOTION)))
         self._energy = np.zeros((1, len(ENERGY)))
@@ -35,7 +35,7 @@ class LogWriter:
 
     def write(self, time: float, v: FloatArray) -> None:
         """Append one output time; the work space must hold the evaluation of this state."""
-        count = _rows(self._bundle, self._bogies, v, time, self._contact, self._motion, self._energy[0])
+        count = _rows(self._bundle, self._places, v, time, self._contact, self._motion, self._energy[0])
         if math.isnan(self._potential_at_start):
             self._potential_at_start = float(self._energy[0, -1])
         self._energy[0, -1] -= self._potential_at_start
@@ -44,10 +44,22 @@ class LogWriter:
         self._recorder.append_rows("energy", self._energy)
 
 
+def _places(vehicle: Vehicle) -> IntArray:
+    """Unit, bogie and number within its unit of every wheelset, (wheelsets, 3)."""
+    units = [wheelset.unit for wheelset in vehicle.wheelsets]
+    return np.array(
+        [
+            (wheelset.unit, wheelset.bogie, 1 + units[:number].count(wheelset.unit))
+            for number, wheelset in enumerate(vehicle.wheelsets)
+        ],
+        dtype=np.int64,
+    )
+
+
 @kernel
 def _rows(
     bundle: Bundle,
-    bogies: IntArray,
+    places: IntArray,
     v: FloatArray,
     time: float,
     contact: FloatArray,
@@ -58,14 +70,14 @@ def _rows(
     model, work = bundle.model, bundle.work
     _motion_rows(model, work, v, time, motion)
     _energy_row(model, work, v, time, energy)
-    return _contact_rows(work, bogies, time, contact)
+    return _contact_rows(work, places, time, contact)
 
 
 @kernel
 def _energy_row(model: SystemModel, work: Workspace, v: FloatArray, time: float, row: FloatArray) -> None:
     """Fill the row of the energy log, its potential energy from the height of the global frame."""
     kinetic, potential = energies(model, work, v)
-    place = work.position[model.train.body]
+    place = work.position[model.train.bodies[0]]
     row[0] = time
     row[1] = inclined_locate(model.alignment, place[0], place[1], place[2], work.arc_length[-1])
     for k in range(work.ledger.size):
@@ -75,10 +87,10 @@ def _energy_row(model: SystemModel, work: Workspace, v: FloatArray, time: float,
 
 
 @kernel
-def _contact_rows(work: Workspace, bogies: IntArray, time: float, rows: FloatArray) -> int:
+def _contact_rows(work: Workspace, places: IntArray, time: float, rows: FloatArray) -> int:
     """Fill one row of the contact log per patch that carries load; returns their number."""
     count = 0
-    for w in range(bogies.size):
+    for w in range(places.shape[0]):
         angle_of_attack = math.atan2(-work.frame_axle[w, 0], work.frame_axle[w, 1])
         roll = math.asin(work.frame_axle[w, 2])
         for index in range(2):
@@ -90,9 +102,9 @@ def _contact_rows(work: Workspace, bogies: IntArray, time: float, rows: FloatArr
                 row = rows[count]
                 row[0] = time
                 row[1] = work.arc_length[w]
-                row[2] = 1
-                row[3] = bogies[w]
-                row[4] = w + 1
+                row[2] = places[w, 0]
+                row[3] = places[w, 1]
+                row[4] = places[w, 2]
                 row[5] = side
                 row[6] = number
                 k = 7

@@ -98,14 +98,14 @@ def _body_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArr
 
 @inlined_kernel
 def _train_forces(model: SystemModel, work: Workspace, time: float) -> None:
-    """The train pulls at both coupler heads along the track, as if its neighbours kept a constant speed.
+    """The train pulls at the coupler heads along the track, as if its neighbours kept a constant speed.
 
     Places and the speed of the train count in plan, as chainage does; the force points along the gradient.
     """
     train = model.train
-    body = train.body
-    heads = train.heads.shape[0]
+    heads = train.bodies.size
     for head in range(heads):
+        body = train.bodies[head]
         arm = rotate(work.rotation[body], triple(train.heads[head]))
         place = model.wheelsets.size + head
         s = inclined_locate(

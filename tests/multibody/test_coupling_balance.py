@@ -20,9 +20,9 @@ from coupling_bench import (
 )
 from scipy.spatial.transform import Rotation
 
-from hh_exudyn.multibody.couplings import RING_POINTS
+from hh_exudyn.multibody.bogie_couplings import RING_POINTS
 from hh_exudyn.multibody.model import Ledger
-from vehicles.description import AxleBoxPad, CentrePlate, SideBearer, SpringNest, Wedge
+from vehicles.couplings import AxleBox, CentrePlate, SideBearer, SpringNest, Wedge
 
 
 @pytest.fixture(scope="module")
@@ -74,9 +74,11 @@ def stored_energy(position, rotation):
         d = matrices[a].T @ place - (np.array(c.point) - DRAWING[a])
         turn = Rotation.from_matrix(matrices[a].T @ matrices[b]).as_rotvec()
         match c:
-            case AxleBoxPad():
+            case AxleBox():
                 axle = matrices[a].T @ matrices[b][:, 1]
-                total += np.dot(c.stiffness, d**2) / 2
+                total += c.stiffness[2] * max(d[2], 0.0) ** 2 / 2
+                clearances = np.array([c.longitudinal_clearance, c.lateral_clearance])
+                total += c.stop_stiffness * (np.maximum(np.abs(d[:2]) - clearances, 0.0) ** 2).sum() / 2
                 total += (c.roll_stiffness * axle[2] ** 2 + c.yaw_stiffness * axle[0] ** 2) / 2
             case SpringNest():
                 beyond = max(-d[2] - c.second_from, 0.0)
@@ -86,8 +88,11 @@ def stored_energy(position, rotation):
                 total += c.stop_stiffness * max(abs(d[1]) - c.stop_clearance, 0.0) ** 2 / 2
                 total += np.dot([c.roll_stiffness, c.pitch_stiffness, c.warp_stiffness], turn**2) / 2
             case Wedge():
-                compression = c.preload / c.spring_stiffness - d[2] + c.direction * d[0] / np.tan(c.slope)
-                total += c.spring_stiffness * max(compression, 0.0) ** 2 / 2
+                for y in (c.width / 2, -c.width / 2):
+                    # down with the bolster, down its slope, and off a column that closes by the toe
+                    down = -(d[2] + turn[0] * y) * np.tan(c.slope) + c.direction * (d[0] - turn[2] * y)
+                    way = c.compression + down / (np.tan(c.slope) - np.tan(c.toe))
+                    total += c.spring_stiffness / 2 * max(way, 0.0) ** 2 / 2
             case CentrePlate():
                 around = 2 * np.pi * (np.arange(RING_POINTS) + 0.5) / RING_POINTS
                 x, y = c.radius * np.cos(around), c.radius * np.sin(around)

@@ -1,5 +1,7 @@
 """Every kind of coupling of the ore wagon against closed forms: stages, stops, friction loops, tipping."""
 
+from dataclasses import fields, replace
+
 import numpy as np
 import pytest
 from coupling_bench import (
@@ -15,14 +17,23 @@ from coupling_bench import (
 )
 from scipy.spatial.transform import Rotation
 
-from hh_exudyn.multibody.couplings import RING_POINTS
+from hh_exudyn.multibody.bogie_couplings import RING_POINTS
 from hh_exudyn.multibody.model import Ledger
-from vehicles.description import AxleBoxPad, CentrePlate, SideBearer, SpringNest, Wedge
+from vehicles.couplings import AxleBox, AxleBoxPad, CentrePlate, SideBearer, SpringNest, Wedge
 
 
-def test_pads_do_not_feel_wheel_spin(demo, rest):
+def linear_pads():
+    """The wagon on pads alone, with the numbers of its axle boxes."""
+    names = [field.name for field in fields(AxleBoxPad)]
+    boxes = [c for c in WAGON.couplings if isinstance(c, AxleBox)]
+    pads = tuple(AxleBoxPad(**{name: getattr(box, name) for name in names}) for box in boxes)
+    return replace(WAGON, couplings=pads)
+
+
+@pytest.mark.parametrize("wagon", [linear_pads(), only(AxleBox)], ids=["pads", "axle boxes"])
+def test_axle_boxes_do_not_feel_wheel_spin(demo, rest, wagon):
     """Any turn about the axle leaves the forces as they are; no torque acts about the axle."""
-    bench = Bench(only(AxleBoxPad), demo)
+    bench = Bench(wagon, demo)
     position, rotation, velocity, _, _ = random_state(rest, 1, angle=5e-3)
     bench.place(position, rotation)
     spin = np.zeros((SIZE, 3))
@@ -64,12 +75,12 @@ def test_nest_stops_at_the_gibs(demo):
 
 
 def loop_area(low, high, wedge):
-    """Area [J] of one wedge's friction loop between two compressions: sticking flanks, sliding bounds.
+    """Area [J] of a wedge's friction loop between two ways down its column: sticking flanks, sliding bounds.
 
     Sliding friction is mu Fs / (tan(a) -+ mu) upwards and downwards; sticking rises with the contact's
     stiffness (vehicles.md 1.3). Corners by intersecting lines, area by the shoelace formula.
     """
-    k, mu = wedge.spring_stiffness, wedge.friction
+    k, mu = wedge.spring_stiffness * wedge.spring_share * np.cos(wedge.toe), wedge.friction
     up = mu * k / (wedge.tan_slope - mu)
     down = -mu * k / (wedge.tan_slope + mu)
     stick = wedge.stick_stiffness
@@ -110,8 +121,9 @@ def test_wedge_loop(demo):
     drive_bolster(bench, cycle)  # the first cycle fits the sliders
     lifts, friction = drive_bolster(bench, cycle)
     work = np.trapezoid(lifts, cycle)
-    preload = c.preload / c.spring_stiffness
-    expected = 4 * loop_area(low + preload, high + preload, c)
+    down_the_column = 1 / (1 - np.tan(c.toe) / np.tan(c.slope))  # over down with the bolster
+    ends = [(c.compression + z * down_the_column) / np.cos(c.toe) for z in (low, high)]
+    expected = 4 * loop_area(*ends, c)
     assert work == pytest.approx(expected, rel=1e-3)
     assert friction == pytest.approx(expected, rel=1e-3)
 

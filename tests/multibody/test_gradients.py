@@ -65,7 +65,7 @@ def test_the_train_holds_the_wagon_on_a_slope(demo, per_mille):
     # wheelsets roll at the speed along the slope, which is that of the train in plan over the cosine
     assert work.frame_velocity[:, 0] == pytest.approx(case.speed / np.cos(angle), rel=1e-12)
     assert np.abs(work.frame_velocity[:, 2]).max() < 1e-12
-    body = BODY_COORDINATES * model.train.body
+    body = BODY_COORDINATES * model.train.bodies[0]
     assert state.q[body + 4] == pytest.approx(-angle, abs=2e-3)  # springs give by a millimetre or two
 
 

@@ -14,7 +14,7 @@ CONICITY, RADIUS = 0.05, 0.46
 def free_wheelset() -> Vehicle:
     """A wheelset pulled at its axle's middle: nothing holds it laterally or in yaw."""
     body = Body("wheelset_1", "wheelset", 2000.0, (1000.0, 120.0, 1000.0), (0.0, 0.0, RADIUS))
-    train = Coupler("wheelset_1", ((0.0, 0.0, RADIUS), (0.0, 0.0, RADIUS)), stiffness=2e4, damping=1e4)
+    train = Coupler(("wheelset_1",) * 2, ((0.0, 0.0, RADIUS), (0.0, 0.0, RADIUS)), stiffness=2e4, damping=1e4)
     return Vehicle("free_wheelset", (body,), (), (Wheelset("wheelset_1", 1, RADIUS),), train, {})
 
 

@@ -11,7 +11,7 @@ from hh_exudyn.multibody.model import workspace
 from hh_exudyn.multibody.simulate import simulate
 from hh_exudyn.multibody.stability import LARGEST_STEP, MARGIN, eigenvalues, largest_stable_step
 from vehicles.catalogue import vehicle
-from vehicles.description import AxleBoxPad
+from vehicles.couplings import AxleBoxPad
 
 
 @pytest.mark.parametrize(("value", "reach"), [(-5000.0, 2.7853), (-10.0 + 5000.0j, 2.8284)])

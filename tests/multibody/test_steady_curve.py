@@ -13,7 +13,7 @@ from hh_exudyn.multibody.simulate import simulate
 from track.alignment import inclined_frame, inclined_rotation
 from track.flexibility import track_flexibility
 from vehicles.catalogue import vehicle
-from vehicles.description import AxleBoxPad
+from vehicles.couplings import AxleBoxPad
 
 RADIUS, CANT, GAUGE = 450.0, 0.065, 1.445
 UP = np.array([0.0, 0.0, 1.0])

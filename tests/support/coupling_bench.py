@@ -7,7 +7,7 @@ from scipy.spatial.transform import Rotation
 
 from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.couplings import coupling_forces
-from hh_exudyn.multibody.model import workspace
+from hh_exudyn.multibody.model import SLIDERS, workspace
 from vehicles.catalogue import vehicle
 
 WAGON = vehicle("iore_wagon_loaded")
@@ -85,5 +85,5 @@ def random_state(rest, seed, length=3e-3, angle=2e-3, speed=0.1):
     small = Rotation.from_rotvec(angle * rng.uniform(-1, 1, (SIZE, 3)))
     velocity = speed * rng.uniform(-1, 1, (SIZE, 3))
     angular_velocity = speed * rng.uniform(-1, 1, (SIZE, 3)) + small.apply(spin)
-    sliders = 1e-3 * rng.uniform(-1, 1, (len(WAGON.couplings), 3))
+    sliders = 1e-3 * rng.uniform(-1, 1, (len(WAGON.couplings), SLIDERS))
     return position, small * rest[1] * Rotation.from_rotvec(turns), velocity, angular_velocity, sliders

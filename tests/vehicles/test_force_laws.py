@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vehicles.description import Wedge
+from vehicles.couplings import Wedge
 from vehicles.force_laws import clearance_stop, dry_friction, two_stage_spring, wedge
 
 STIFF = 1.0e7
@@ -31,7 +31,7 @@ def slide(path, bound):
     slider = (0.0, 0.0)
     forces = []
     for u, w in path:
-        fu, fw, *slider = dry_friction(u, w, *slider, 0.0, 0.0, STIFF, 0.0, bound)
+        fu, fw, *slider = dry_friction(u, w, *slider, 0.0, 0.0, STIFF, STIFF, 0.0, 0.0, bound)
         forces.append((fu, fw))
     return np.array(forces)
 
@@ -59,10 +59,12 @@ def test_friction_loop_loses_the_energy_that_coulomb_says():
     st.floats(0, 1e5),
 )
 def test_friction_never_exceeds_its_bound(u, w, slider_u, slider_w, rate_u, rate_w, bound):
-    fu, fw, *slider = dry_friction(u, w, slider_u, slider_w, rate_u, rate_w, STIFF, 2e4, bound)
+    fu, fw, *slider = dry_friction(
+        u, w, slider_u, slider_w, rate_u, rate_w, STIFF, 0.6 * STIFF, 2e4, 3e4, bound
+    )
     assert math.hypot(fu, fw) <= bound * (1 + 1e-9) + 1e-9
     # the committed slider carries the same force when nothing moves any more; 1e-3 N is STIFF times rounding
-    again = dry_friction(u, w, *slider, 0.0, 0.0, STIFF, 2e4, bound)
+    again = dry_friction(u, w, *slider, 0.0, 0.0, *contact)
     if (slider[0], slider[1]) != (slider_u, slider_w):
         assert again[0] == pytest.approx(fu, rel=1e-6, abs=1e-3)
         assert again[1] == pytest.approx(fw, rel=1e-6, abs=1e-3)
@@ -73,7 +75,7 @@ def test_friction_at_rest_does_not_creep():
     slider = (0.0, 0.0)
     u = 0.9e4 / STIFF
     for _ in range(10_000):
-        fu, _, *slider = dry_friction(u, 0.0, *slider, 0.0, 0.0, STIFF, 0.0, 1.0e4)
+        fu, _, *slider = dry_friction(u, 0.0, *slider, 0.0, 0.0, STIFF, STIFF, 0.0, 0.0, 1.0e4)
     assert (slider[0], slider[1]) == (0.0, 0.0)
     assert fu == pytest.approx(-0.9e4)
 
@@ -87,10 +89,10 @@ def test_wedge_statics(friction, loading, unloading):
     spring, compression = 4.0e5, 0.05
     for motion, expected in ((1, loading), (-1, unloading)):
         start = compression - motion * 0.02
-        lift, _, *_ = wedge(compression, 0.0, start, 0.0, 0.0, 0.0, spring, SLOPE, friction, STIFF, 0.0)
-        assert lift / SLOPE / (spring * compression) == pytest.approx(expected, abs=6e-4)
-        friction_force = lift - spring * compression
-        assert friction_force == pytest.approx(motion * friction * lift / SLOPE, rel=1e-9)
+        column, up, *_ = wedge(compression, 0.0, start, 0.0, 0.0, 0.0, spring, SLOPE, friction, STIFF, 0.0)
+        assert column / (spring * compression) == pytest.approx(expected, abs=6e-4)
+        assert up == pytest.approx(motion * friction * column, rel=1e-9)
+        assert column * SLOPE == pytest.approx(spring * compression + up, rel=1e-9)
 
 
 def test_wedge_description_agrees_with_the_kernel():
@@ -101,30 +103,57 @@ def test_wedge_description_agrees_with_the_kernel():
 
 def test_wedge_sliding_sideways_gives_up_its_vertical_friction():
     """Friction is two-dimensional: a wedge that slides laterally holds little vertically."""
-    lift, lateral, *_ = wedge(0.05, 0.02, 0.05, 0.0, 0.0, 0.0, 4e5, SLOPE, 0.3, STIFF, 0.0)
-    assert lift == pytest.approx(4e5 * 0.05)
-    assert lateral == pytest.approx(-0.3 * lift / SLOPE)
+    column, up, lateral, *_ = wedge(0.05, 0.02, 0.05, 0.0, 0.0, 0.0, 4e5, SLOPE, 0.3, STIFF, 0.0)
+    assert up == 0.0
+    assert column == pytest.approx(4e5 * 0.05 / SLOPE)
+    assert lateral == pytest.approx(-0.3 * column)
 
 
 @given(st.floats(0.001, 0.08), st.floats(-0.02, 0.02), st.floats(-0.08, 0.08), st.floats(-0.02, 0.02))
 def test_wedge_obeys_coulomb(compression, lateral, slider, slider_lateral):
     spring = 4e5
-    lift, side, *_ = wedge(
+    column, up, side, *_ = wedge(
         compression, lateral, slider, slider_lateral, 0.0, 0.0, spring, SLOPE, 0.3, STIFF, 0.0
     )
-    assert lift > 0.0
-    assert math.hypot(lift - spring * compression, side) <= 0.3 * lift / SLOPE * (1 + 1e-9)
+    assert column > 0.0
+    assert math.hypot(up, side) <= 0.3 * column * (1 + 1e-9)
 
 
 def test_loose_wedge_carries_nothing():
-    assert wedge(-0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 4e5, SLOPE, 0.3, STIFF, 0.0)[:2] == (0.0, 0.0)
+    assert wedge(-0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 4e5, SLOPE, 0.3, STIFF, 0.0)[:3] == (0.0, 0.0, 0.0)
 
 
-def example_wedge(friction, slope_friction=0.0, ratio=0.0):
+def example_wedge(friction, slope_friction=0.0, ratio=0.0, toe=0.0, wear=0.0):
     return Wedge(
-        "wedge", "a", "b", (0.0, 0.0, 0.0), 1, 4e5, 0.0, math.radians(36.3), friction, slope_friction, ratio,
-        1e7, 1e4,
+        "wedge", "a", "b", (0.0, 0.0, 0.0), 1, 4e5, 0.0, math.radians(36.3), toe, 0.2, wear, friction,
+        slope_friction, ratio, 1e7, 1e4,
     )  # fmt: skip
+
+
+def statics(slope, toe, friction, motion):
+    """N2 and N1 cos a over Fs, and friction over N2, from the two equations of equilibrium as they stand."""
+    c, s, t = math.cos(toe), math.sin(toe), math.tan(slope)
+    rub = motion * friction
+    # (N2, N1 cos a): N1 cos a = N2 (c - rub s),  1 + N2 (s + rub c) = N1 cos a tan(slope)
+    return np.linalg.solve([[c - rub * s, -1.0], [s + rub * c, -t]], [0.0, -1.0])
+
+
+@pytest.mark.parametrize("toe", [0.0, math.radians(1.0), math.radians(-2.0)])
+@pytest.mark.parametrize("motion", [1, -1])
+def test_toe_by_the_equations_of_equilibrium(toe, motion):
+    """The closed form with toe against the solved equations; columns that close downwards press more."""
+    description = example_wedge(0.3, toe=toe)
+    normal, _ = statics(description.slope, toe, 0.3, motion)
+    assert description.normal_force(1.0, motion) == pytest.approx(normal, rel=1e-12)
+    assert np.sign(normal - example_wedge(0.3).normal_force(1.0, motion)) == np.sign(toe)
+
+
+def test_a_worn_wedge_rises_and_its_spring_gives_way():
+    """10 mm of wear lift the wedge by 10 mm / tan(36.3 deg), and take that off the spring."""
+    worn = example_wedge(0.3, wear=0.01)
+    assert worn.compression == pytest.approx(-0.01 / SLOPE)
+    with pytest.raises(ValueError, match=r"wear -0\.01 m must be >= 0"):
+        example_wedge(0.3, wear=-0.01)
 
 
 def test_jam_is_refused():
