@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 from vehicles.description import Vehicle
+from vehicles.locomotive import iore_locomotive
 from vehicles.parameters import ParameterSet, load_parameters
 from vehicles.wagon import ore_wagon
 
@@ -16,9 +17,14 @@ def _empty(name: str) -> Vehicle:
     return ore_wagon(name, load_parameters("iore_wagon"), 0.0)
 
 
+def _locomotive(name: str) -> Vehicle:
+    return iore_locomotive(name, load_parameters("iore_locomotive"))
+
+
 VEHICLES: dict[str, tuple[Callable[[str], Vehicle], str]] = {
     "iore_wagon_loaded": (_loaded, "iore_wagon"),
     "iore_wagon_empty": (_empty, "iore_wagon"),
+    "iore_locomotive": (_locomotive, "iore_locomotive"),
 }
 
 

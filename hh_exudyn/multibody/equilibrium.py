@@ -1,6 +1,7 @@
 """Static equilibrium of a vehicle that rolls straight ahead at constant speed, before the run.
 
-On a gradient the train holds the vehicle: the coupler force is its weight times the sine of the slope.
+On a gradient the train holds the vehicle: the coupler force is its weight times the sine of the slope. A
+driven vehicle holds itself and its train by its drives.
 """
 
 import math
@@ -74,6 +75,8 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
     guess[spins] = v[spins]
     guess[place] = 0.0
     creep = np.arange(first_creep(model), guess.size)
+    driven = model.drives.torque.size > 0
+    torque_scale = weight / max(model.drives.torque.size, 1)
 
     def forces(change: FloatArray) -> FloatArray:
         unknown = guess + change * _LENGTH_SCALE
@@ -83,7 +86,10 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
         v[spins] = unknown[spins]
         v[creep] = unknown[creep]
         q[place] = stands
-        model.train.start[:] = start + unknown[place]
+        if driven:
+            model.drives.torque[:] = unknown[place] * torque_scale
+        else:
+            model.train.start[:] = start + unknown[place]
         evaluate_bundle(bundle, sliders, q, v, 0.0, True)
         return work.generalized_force / weight * _FORCE_SCALE
 
