@@ -58,6 +58,7 @@ class VehicleControl:
             stiffness=np.ones(self._radius.size),
         )
         self.front = start_front(vehicle)
+        self._origin = driver.train_place
         self._boxes = _axle_boxes(vehicle)
         self._drawn_points = model.couplings.point_a.copy()
         self._drawn_parameters = model.couplings.parameters.copy()
@@ -91,7 +92,7 @@ class VehicleControl:
     def _move(self, time: float) -> None:
         model, actuators = self._model, self._actuators
         speed = actuators.train_speed
-        model.train.course[0] = actuators.train_place - model.train.start[0] - speed * time
+        model.train.course[0] = actuators.train_place - self._origin - speed * time
         model.train.course[1] = speed
         points, parameters = model.couplings.point_a, model.couplings.parameters
         for coupling, wheelset, lateral in self._boxes:

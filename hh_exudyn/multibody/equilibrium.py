@@ -76,6 +76,7 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
     guess[place] = 0.0
     creep = np.arange(first_creep(model), guess.size)
     driven = model.drives.torque.size > 0
+    rear = middle + min(point[0] for point in vehicle.coupler.points)
     torque_scale = weight / max(model.drives.torque.size, 1)
 
     def forces(change: FloatArray) -> FloatArray:
@@ -88,6 +89,8 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
         q[place] = stands
         if driven:
             model.drives.torque[:] = unknown[place] * torque_scale
+            evaluate_bundle(bundle, sliders, q, v, 0.0, True)  # where the heads are, to pull as before
+            model.train.start[:] = start + work.arc_length[-1] - rear
         else:
             model.train.start[:] = start + unknown[place]
         evaluate_bundle(bundle, sliders, q, v, 0.0, True)
