@@ -99,9 +99,7 @@ class Vehicle:
         if (self.traction is None) != (not self.drives):
             raise ValueError(f"vehicle {self.name}: drives and their traction equipment go together")
         if self.drives and [drive.wheelset for drive in self.drives] != [w.body for w in self.wheelsets]:
-            raise ValueError(
-                f"vehicle {self.name}: its drives must be one for each wheelset, in their order"
-            )
+            raise ValueError(f"vehicle {self.name}: its drives must be one for each wheelset, in their order")
         for c in self.couplings:
             if c.body_a in spinning or (c.body_b in spinning and not isinstance(c, _ON_AN_AXLE)):
                 allowed = ", ".join(kind.__name__ for kind in _ON_AN_AXLE)

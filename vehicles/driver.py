@@ -64,7 +64,13 @@ class Driver:
     """
 
     def __init__(
-        self, unit: DrivenUnit, train: TrailingTrain, orders: DriverOrders, speed: float, head: float, grade: float
+        self,
+        unit: DrivenUnit,
+        train: TrailingTrain,
+        orders: DriverOrders,
+        speed: float,
+        head: float,
+        grade: float,
     ) -> None:
         self._unit = unit
         self._train = train
@@ -80,9 +86,7 @@ class Driver:
         self._place = head + self.coupler_force / unit.coupler_stiffness
         self._speed = speed
         mass = unit.mass + train.mass
-        self._control = SpeedControl(
-            orders.set_speed, mass, self._units * self.demand, orders.gains
-        )
+        self._control = SpeedControl(orders.set_speed, mass, self._units * self.demand, orders.gains)
         self._slip_control = SlipControl(unit.axles, orders.slip_limits)
         torque = self.demand * unit.radius / unit.axles
         self._over_slip = None
@@ -138,5 +142,3 @@ class Driver:
         force = -measured.coupler_force + train.locomotives * self.demand
         force -= train.resisting_force(self._place, self._speed)
         self._speed += force / train.mass * interval
-
-

@@ -14,7 +14,6 @@ SIDES = ((1, "L"), (-1, "R"))
 _PRIMARY_DEFLECTION = 0.04  # m, where the equilibrium is looked for
 
 
-
 def iore_locomotive(name: str, p: ParameterSet) -> Vehicle:
     """One unit, leading bogie first; its motors stand towards the middle of each bogie but the middle one."""
     half = p["locomotive.bogie_distance"] / 2

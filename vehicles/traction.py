@@ -119,7 +119,9 @@ class SlipControl:
         self._wait = np.zeros(axles)
         self._slip: FloatArray | None = None
 
-    def step(self, wheel_speeds: FloatArray, speeds: FloatArray, effort: float, interval: float) -> FloatArray:
+    def step(
+        self, wheel_speeds: FloatArray, speeds: FloatArray, effort: float, interval: float
+    ) -> FloatArray:
         """Shares 0..1 of the torque for the next interval [s].
 
         Parameters
@@ -163,7 +165,5 @@ class OverSlip:
     ) -> FloatArray:
         """Torques [N m] for the next interval [s], each within `largest` [N m] of zero."""
         error = (1.0 + self._creepage) * speeds - wheel_speeds
-        self._held = np.clip(
-            self._held + self._gain / self.RESET_TIME * error * interval, -largest, largest
-        )
+        self._held = np.clip(self._held + self._gain / self.RESET_TIME * error * interval, -largest, largest)
         return np.clip(self._held + self._gain * error, -largest, largest)

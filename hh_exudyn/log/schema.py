@@ -90,9 +90,13 @@ CONTROL = (
     Column("speed", "float64", "m/s", "forward speed of the wheelset"),
     Column("wheel_speed", "float64", "m/s", "its rotation times the nominal radius"),
     Column("torque", "float64", "N m", "of the drive on the wheelset until now, losses off"),
-    Column("adhesion", "float64", "-", "longitudinal force of the rails on the wheelset over its vertical load"),
+    Column(
+        "adhesion", "float64", "-", "longitudinal force of the rails on the wheelset over its vertical load"
+    ),
     Column("utilisation", "float64", "-", "creep forces of its patches over friction times normal forces"),
-    Column("demand", "float64", "N", "effort asked of the vehicle, forward positive (repeated on its wheelsets)"),
+    Column(
+        "demand", "float64", "N", "effort asked of the vehicle, forward positive (repeated on its wheelsets)"
+    ),
     Column("coupler_force", "float64", "N", "force of the train on the vehicle, forward positive (repeated)"),
     Column("train_speed", "float64", "m/s", "of the train behind the vehicle (repeated)"),
     Column("yaw_rest", "float64", "rad", "rest angle of the wheelset in its bogie, by active steering"),

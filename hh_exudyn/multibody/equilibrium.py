@@ -51,7 +51,9 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
 
     The wheels roll, so the unknowns of a wheelset's pitch and creep are rates, not places; the vehicle
     stands at a given place, so the unknown of the place of the front coupler head's body is that of the
-    train, which is left in `model.train.start`. Wedges carry no vertical friction, as after a long smooth
+    train, which is left in `model.train.start`; of a driven vehicle it is the torque of its drives, alike for
+    all, left in `model.drives.torque`, while the train keeps its distance from the coupler head, and so its
+    force. Wedges carry no vertical friction, as after a long smooth
     ride; all other sliders rest where the drawing has them.
 
     Raises
