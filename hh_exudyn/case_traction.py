@@ -38,7 +38,7 @@ class TractionCase(CaseTable):
     wagon_mass_t: float = number("t", 15, 130, 120.0)
     units: int = number("-", 1, 4, 2)
     set_speed_km_h: float | None = number("km/h", 0, 130, None)
-    braking_limit_kN: float = number("kN", 0, 2000, 500.0)  # noqa: N815 the unit's own letter
+    braking_limit_kN: float = number("kN", 0, 2000, 500.0)
     slip_control: bool = True
     over_slip_percent: float = number("%", 0, 30, 0.0)
 
@@ -66,7 +66,10 @@ class TractionCase(CaseTable):
 
 
 class SteeringCase(CaseTable):
-    """Active steering: `gain` 1 turns wheelsets radially; `softening` is the stiffness left in tight curves."""
+    """Active steering: `gain` 1 turns wheelsets radially, `softening` leaves a share of stiffness.
+
+    Laws and actuators: `vehicles.steering`.
+    """
 
     gain: float = number("-", -2, 2, 1.0)
     softening: float = number("-", 0.05, 1, 1.0)

@@ -1,7 +1,7 @@
 """What a controller sees of a running vehicle and what it may move: the border between laws and dynamics.
 
-A controller is called at its own sample time with a `Measurement`, and writes `Actuators`, which act unchanged
-until the next sample.
+A controller is called at its own sample time with a `Measurement`, and writes `Actuators`, which act
+unchanged until the next sample.
 """
 
 from dataclasses import dataclass

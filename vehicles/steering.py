@@ -1,8 +1,8 @@
 """Active steering of wheelsets: actuators in the longitudinal primary suspension of every axle box.
 
 Hossein-Nia (2018), chapter 5: "the control goal is to modify the longitudinal primary suspension
-characteristics (using actuators) to change the yaw angle of the wheelset". Two laws, alone or together: a rest
-angle of each wheelset in its bogie from the curvature, and softer axle boxes in curves.
+characteristics (using actuators) to change the yaw angle of the wheelset". Two laws, alone or together: a
+rest angle of each wheelset in its bogie from the curvature, and softer axle boxes in curves.
 """
 
 import numpy as np

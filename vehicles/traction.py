@@ -148,8 +148,8 @@ class OverSlip:
     """Extra torque that holds each driven wheelset at a wanted slip dv, to clean rails or to wear off cracks.
 
     Hossein-Nia (2018), chapter 5: over-slip by "an extra torque to the driven loco wheels". A PI control of
-    the slip velocity; `inertia` is that of a wheelset's spin with its rotor, which alone resists a wheel whose
-    creep force is saturated.
+    the slip velocity; `inertia` is that of a wheelset's spin with its rotor, which alone resists a wheel
+    whose creep force is saturated.
     """
 
     TIME_CONSTANT = 0.10  # s, of the slip under saturated friction

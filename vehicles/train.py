@@ -38,15 +38,19 @@ def wagon_resistance(speed: float, axle_load: float) -> float:
 
 
 def locomotive_resistance(speed: float) -> float:
-    """Running resistance of a locomotive under power over its mass [N/t]: PTR, 1.9 + 0.008 V + 0.00025 V^2."""
+    """Running resistance of a locomotive under power over its mass [N/t], V in km/h.
+
+    PTR: 1.9 + 0.008 V + 0.00025 V^2 [kgf/t].
+    """
     v = 3.6 * abs(speed)
     return (1.9 + 0.008 * v + 0.00025 * v**2) * _KGF_PER_TONNE
 
 
 def curve_resistance(curvature: FloatArray) -> FloatArray:
-    """Resistance of wagons in curves over their weight [-], by Roeckl: 0.650/(R - 55), below 300 m 0.5/(R - 30).
+    """Resistance of wagons in curves over their weight [-], by Roeckl.
 
-    Quoted from memory (main lines, 1435 mm): an assumption. Radii below 100 m count as 100 m.
+    0.650/(R - 55), below 300 m 0.5/(R - 30). Quoted from memory (main lines, 1435 mm): an assumption. Radii
+    below 100 m count as 100 m.
     """
     radius = 1.0 / np.maximum(np.abs(curvature), 1e-9)
     radius = np.maximum(radius, 100.0)
@@ -87,7 +91,7 @@ class TrailingTrain:
         return np.asarray(head - np.cumsum(lengths) + 0.5 * lengths)
 
     def resisting_force(self, head: float, speed: float) -> float:
-        """Resistance of rolling and of curves, and the downhill force, against the train's forward motion [N]."""
+        """Resistance of rolling and of curves, and the downhill force: against forward motion [N]."""
         masses = np.repeat([self.locomotive_mass, self.wagon_mass], [self.locomotives, self.wagons])
         places = self.places(head)
         rolling = self.locomotives * self.locomotive_mass * locomotive_resistance(speed)

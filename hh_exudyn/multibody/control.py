@@ -64,7 +64,7 @@ class VehicleControl:
         self._drawn_parameters = model.couplings.parameters.copy()
 
     def act(self, time: float, recorder: Recorder) -> None:
-        """Log the state just evaluated, let every controller act on it, and write what they say to the model."""
+        """Log the state just evaluated, let every controller act on it, move the model's actuators."""
         measured = self._measure(time)
         self._log(measured)
         recorder.append_rows("control", self._rows)
@@ -128,7 +128,10 @@ class VehicleControl:
 def vehicle_control(
     case: Case, vehicle: Vehicle, model: SystemModel, work: Workspace
 ) -> VehicleControl | None:
-    """The controllers of a vehicle with drives, None of any other; sets the force of the train at the start."""
+    """The controllers of a vehicle with drives, None of any other.
+
+    Sets the force of the train at the start, which the equilibrium keeps.
+    """
     if vehicle.traction is None:
         return None
     traction = case.traction_or_default

@@ -228,7 +228,7 @@ class _Integration:
         return int(self._watch.floored.sum())
 
     def _commit(self, time: float, v: FloatArray, status: int) -> bool:
-        """The state just evaluated is the accepted one: keep its sliders, look for trouble, log and control it.
+        """The state just evaluated is the accepted one: keep its sliders, look for trouble, log it, control.
 
         Whether a controller has acted.
         """

@@ -48,7 +48,7 @@ def test_characteristic_is_the_published_one():
 
 
 def test_impossible_equipment_is_refused():
-    with pytest.raises(ValueError, match="power -1.0 must be > 0"):
+    with pytest.raises(ValueError, match=r"power -1\.0 must be > 0"):
         TractionEquipment(600e3, -1.0, 300e3, 5e6, 6.0, 5.0)
 
 
@@ -217,7 +217,7 @@ def test_over_slip_holds_the_slip_it_is_told():
 
 
 def test_speed_control_does_not_wind_up():
-    """Ten minutes at the bound with the speed too low; the effort leaves the bound when the speed is there."""
+    """Ten minutes at the bound, the speed too low; the effort leaves the bound when the speed is there."""
     control = SpeedControl(15.0, 1e6, 0.0, SpeedControlGains())
     for _ in range(6000):
         control.step(10.0, -1e5, 1e5, 1e7, 0.1)
