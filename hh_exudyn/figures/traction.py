@@ -53,7 +53,8 @@ def control_figure(title: str, control: Mapping[str, FloatArray]) -> Figure:
         panels[4].set_xlabel("time [s]")
         panels[0].legend(ncols=2)
         panels[1].legend(ncols=2)
-        panels[2].legend(ncols=axles, title="wheelset")
+        handles, labels = panels[2].get_legend_handles_labels()
+        figure.legend(handles, labels, loc="outside lower center", ncols=axles, title="wheelset")
         _gridded(list(panels))
     return figure
 
