@@ -5,6 +5,7 @@
 `conicity`        panels over the lateral displacement: conicity, radius difference, contact positions
 `conicity_sheet`  these panels on one sheet, for a wheel on a rail at several gauges
 `track`           a track over its length, with irregularities and quality classes; a line as shares
+`hysteresis`      friction loops: force over deflection, with what a cycle takes
 `wheel_forces`    Q and Y of every wheel: distributions with their ranges, and spectra
 ================  ======================================================================================
 

@@ -59,9 +59,8 @@ def test_friction_loop_loses_the_energy_that_coulomb_says():
     st.floats(0, 1e5),
 )
 def test_friction_never_exceeds_its_bound(u, w, slider_u, slider_w, rate_u, rate_w, bound):
-    fu, fw, *slider = dry_friction(
-        u, w, slider_u, slider_w, rate_u, rate_w, STIFF, 0.6 * STIFF, 2e4, 3e4, bound
-    )
+    contact = (STIFF, 0.6 * STIFF, 2e4, 3e4, bound)
+    fu, fw, *slider = dry_friction(u, w, slider_u, slider_w, rate_u, rate_w, *contact)
     assert math.hypot(fu, fw) <= bound * (1 + 1e-9) + 1e-9
     # the committed slider carries the same force when nothing moves any more; 1e-3 N is STIFF times rounding
     again = dry_friction(u, w, *slider, 0.0, 0.0, *contact)

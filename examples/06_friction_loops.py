@@ -1,0 +1,23 @@
+"""Friction loops of a three-piece bogie: force over deflection of each element under its static load.
+
+Usage: python 06_friction_loops.py [PICTURE.png]. Prints what a cycle takes, and draws the loops of the loaded
+wagon into the picture.
+"""
+
+import sys
+from importlib.resources import files
+
+from hh_exudyn.case import Case
+from hh_exudyn.figures.hysteresis import Panel, friction_loops
+from hh_exudyn.multibody.hysteresis import ROLL, bogie_loops
+from vehicles.catalogue import vehicle
+
+case = Case.from_toml(files("hh_exudyn").joinpath("data/demo.toml").read_text(encoding="utf-8"))
+loops = bogie_loops(vehicle(case.vehicle), case)
+for loop in loops:
+    print(f"{loop.title:30s} {loop.area:8.1f} J around the loop, {loop.dissipated:8.1f} J dissipated")
+if len(sys.argv) > 1:
+    panels = [
+        Panel(loop.title, loop.axis >= ROLL, loop.displacement, loop.force, loop.dissipated) for loop in loops
+    ]
+    friction_loops(f"Friction of {case.vehicle}", panels).savefig(sys.argv[1], dpi=150)
