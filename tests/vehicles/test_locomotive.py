@@ -39,7 +39,7 @@ def test_it_is_symmetric():
 
 
 def test_bounce_is_that_of_a_locomotive():
-    """Body on its secondary springs, bogies on the primary ones: 1.2..1.6 Hz, by two masses on two springs."""
+    """Body on its secondary springs, bogies on the primary ones: two masses, two springs, 1.2..1.6 Hz."""
     p = load_parameters("iore_locomotive")
     body = LOCOMOTIVE.body("car_body").mass
     # half of each motor hangs from its bogie frame
