@@ -34,8 +34,7 @@ def demand(speed: float, gradient: float) -> float:
 
 
 def main() -> None:
-    folder = Path(sys.argv[1])
-    folder.mkdir(exist_ok=True)
+    (folder := Path(sys.argv[1])).mkdir(exist_ok=True)
     largest, brake = UNIT.traction.largest_effort, UNIT.traction.largest_brake
     held = brentq(lambda gradient: 2 * largest(SPEED) - demand(SPEED, gradient), 0.0, 0.02)
     balance = brentq(lambda speed: 2 * largest(speed) - demand(speed, 0.010), 5.0, SPEED)
