@@ -37,6 +37,7 @@ from hh_exudyn.case_fields import CaseTable, from_folder, is_path, number
 from hh_exudyn.case_friction import FrictionCase, FrictionSectionCase, SurfaceCase
 from hh_exudyn.case_rails import read_profile
 from hh_exudyn.case_tables import ContactCase, IntegrationCase, TrackCase
+from hh_exudyn.case_traction import SteeringCase, TractionCase
 from hh_exudyn.case_vehicle import VehicleCase, VehicleField, described, resolved, start_in
 from hh_exudyn.contact.friction import FrictionTable, constant_friction
 from hh_exudyn.contact.given import given_contact_model
@@ -59,9 +60,11 @@ __all__ = [
     "GradeCase",
     "IntegrationCase",
     "RampCase",
+    "SteeringCase",
     "StraightCase",
     "SurfaceCase",
     "TrackCase",
+    "TractionCase",
     "TransitionCase",
     "VehicleCase",
     "read_case",
@@ -90,7 +93,8 @@ class Case(CaseTable):
     catalogue or a variant; the path of a vehicle file becomes the table of what it changes
     (`hh_exudyn.case_vehicle`). `wheel_profile` is a published
     profile (``"S1002"``) or the path of a profile file. `friction` is one coefficient for all patches, or a
-    table where it is not the same everywhere (`hh_exudyn.case_friction`).
+    table where it is not the same everywhere (`hh_exudyn.case_friction`). `traction` and `steering` are for
+    vehicles with drives (`hh_exudyn.case_traction`); such a vehicle without the first has the default table.
 
     Raises
     ------
@@ -106,6 +110,8 @@ class Case(CaseTable):
     track: TrackCase
     contact: ContactCase = ContactCase()
     integration: IntegrationCase = IntegrationCase()
+    traction: TractionCase | None = None
+    steering: SteeringCase | None = None
 
     if not TYPE_CHECKING:  # type checkers keep the signature made from the fields
 
@@ -170,6 +176,19 @@ class Case(CaseTable):
             if self.friction.lubricated_wheelsets:
                 self.friction_table(len(self.described_vehicle().wheelsets))
         return self
+
+    @model_validator(mode="after")
+    def _check_drives(self) -> Self:
+        """Only a vehicle with drives has a driver, and actuators to steer with."""
+        for name in ("traction", "steering"):
+            if getattr(self, name) is not None and not self.described_vehicle().drives:
+                raise ValueError(f"{name} given: vehicle {self.described_vehicle().name} has no drives")
+        return self
+
+    @property
+    def traction_or_default(self) -> TractionCase:
+        """The driver of a vehicle with drives."""
+        return TractionCase() if self.traction is None else self.traction
 
     @property
     def speed(self) -> float:

@@ -142,6 +142,19 @@ def test_two_axle_wagon(tmp_path: Path) -> None:
     assert {path.name for path in tmp_path.iterdir()} == {"run", "wagon.png"}
 
 
+def test_locomotive(tmp_path: Path) -> None:
+    """Slip control keeps the wheelsets at the adhesion there is; without it they race at the same pull."""
+    text = run("09_locomotive.py", tmp_path)
+    assert text.startswith("two units hold 60 km/h up to 6.4 per mille; on 10: 41.7 km/h")
+    found = re.findall(
+        r"^slip control (on|off): largest slip +([\d.]+) %, last pull (\d+) kN$", text, re.MULTILINE
+    )
+    slips = {which: float(slip) for which, slip, _ in found}
+    assert slips["on"] < 5.0
+    assert slips["off"] > 50.0
+    assert sorted(path.name for path in tmp_path.glob("*.png")) == ["efforts.png", "off.png", "on.png"]
+
+
 def test_every_example_is_run_here() -> None:
     source = Path(__file__).read_text()
     for path in EXAMPLES.glob("*.py"):

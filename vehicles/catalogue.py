@@ -13,6 +13,7 @@ from functools import partial
 
 from vehicles.cooperrider import cooperrider_bogie
 from vehicles.description import Vehicle
+from vehicles.locomotive import iore_locomotive
 from vehicles.manchester import manchester_vehicle_1
 from vehicles.parameters import ParameterSet, load_parameters
 from vehicles.suspended_wheelset import suspended_wheelset
@@ -57,6 +58,9 @@ VEHICLES: dict[str, Entry] = {
         manchester_vehicle_1,
         partial(load_parameters, "manchester_vehicle_1"),
         "reference: passenger coach of the Manchester benchmarks",
+    ),
+    "iore_locomotive": Entry(
+        iore_locomotive, partial(load_parameters, "iore_locomotive"), "IORE Co-Co locomotive, one unit, 180 t"
     ),
 }
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from hh_exudyn.conventions import GRAVITY
 from vehicles.couplings import AxleBox, AxleBoxPad, BumpStop, Coupling, Rod, Vector
 from vehicles.soundness import require_sound
+from vehicles.traction import TractionEquipment
 
 BODY_KINDS = ("car_body", "bogie_frame", "bolster", "side_frame", "motor", "wheelset")
 _ON_AN_AXLE = (
@@ -95,6 +96,14 @@ class GivenContact:
 
 
 @dataclass(frozen=True)
+class Drive:
+    """A motor that turns a wheelset; its reaction is on the motor's body."""
+
+    wheelset: str
+    motor: str
+
+
+@dataclass(frozen=True)
 class Vehicle:
     """A vehicle on the drawing. `wheelsets` run from the leading end."""
 
@@ -105,6 +114,8 @@ class Vehicle:
     coupler: Coupler
     dimensions: dict[str, float]  # for drawings: lengths [m] by name
     contact: GivenContact | None = None  # what a case gets whose theory is "given"
+    drives: tuple[Drive, ...] = ()  # from the leading wheelset; without, the train pulls the vehicle
+    traction: TractionEquipment | None = None  # of the drives
 
     def __post_init__(self) -> None:
         names = [body.name for body in self.bodies]
@@ -112,9 +123,14 @@ class Vehicle:
             raise ValueError(f"vehicle {self.name}: body names are not unique: {names}")
         wanted = {name for coupling in self.couplings for name in (coupling.body_a, coupling.body_b)}
         wanted |= {wheelset.body for wheelset in self.wheelsets} | set(self.coupler.bodies)
+        wanted |= {body for drive in self.drives for body in (drive.wheelset, drive.motor)}
         if unknown := wanted - set(names):
             raise ValueError(f"vehicle {self.name}: no body named {', '.join(sorted(unknown))}")
         spinning = {wheelset.body for wheelset in self.wheelsets}
+        if (self.traction is None) != (not self.drives):
+            raise ValueError(f"vehicle {self.name}: drives and their traction equipment go together")
+        if self.drives and [drive.wheelset for drive in self.drives] != [w.body for w in self.wheelsets]:
+            raise ValueError(f"vehicle {self.name}: its drives must be one for each wheelset, in their order")
         for c in self.couplings:
             if c.body_a in spinning or (c.body_b in spinning and not isinstance(c, _ON_AN_AXLE)):
                 allowed = ", ".join(kind.__name__ for kind in _ON_AN_AXLE)

@@ -1,7 +1,8 @@
-"""Columns of the three logs of a run: name, unit, meaning. The one table that writers and readers share.
+"""Columns of the logs of a run: name, unit, meaning. The one table that writers and readers share.
 
 Contact log: one row per output time, wheel and patch in contact. Motion log: one row per output time and
-body. Energy ledger: one row per output time. SI units throughout; contact quantities in frame C, forces on
+body. Energy ledger: one row per output time. Control log: one row per sample of the controllers and driven
+wheelset; a run without controllers has none. SI units throughout; contact quantities in frame C, forces on
 the wheel (see `hh_exudyn.conventions`).
 """
 
@@ -77,8 +78,29 @@ ENERGY = (
     Column("contact_power", "float64", "W", "power lost in the wheel-rail contacts"),
     Column("friction_power", "float64", "W", "power taken by the dry-friction elements"),
     Column("damper_power", "float64", "W", "power lost in dampers of vehicle and track"),
+    Column("drive_power", "float64", "W", "power that the drives give to wheelsets, less than 0 in braking"),
     Column("kinetic_energy", "float64", "J", "of all bodies and track masses"),
     Column("potential_energy", "float64", "J", "of gravity; zero at the start"),
 )
 
-LOGS = {"contact": CONTACT, "motion": MOTION, "energy": ENERGY}
+CONTROL = (
+    Column("time", "float64", "s", "since the start of the run"),
+    Column("s", "float64", "m", "arc length of the wheelset along the track"),
+    Column("wheelset", "int32", "-", "wheelset of the vehicle, from 1 at the leading end"),
+    Column("speed", "float64", "m/s", "forward speed of the wheelset"),
+    Column("wheel_speed", "float64", "m/s", "its rotation times the nominal radius"),
+    Column("torque", "float64", "N m", "of the drive on the wheelset until now, losses off"),
+    Column(
+        "adhesion", "float64", "-", "longitudinal force of the rails on the wheelset over its vertical load"
+    ),
+    Column("utilisation", "float64", "-", "creep forces of its patches over friction times normal forces"),
+    Column(
+        "demand", "float64", "N", "effort asked of the vehicle, forward positive (repeated on its wheelsets)"
+    ),
+    Column("coupler_force", "float64", "N", "force of the train on the vehicle, forward positive (repeated)"),
+    Column("train_speed", "float64", "m/s", "of the train behind the vehicle (repeated)"),
+    Column("yaw_rest", "float64", "rad", "rest angle of the wheelset in its bogie, by active steering"),
+    Column("stiffness", "float64", "-", "longitudinal stiffness of its axle boxes over that of the drawing"),
+)
+
+LOGS = {"contact": CONTACT, "motion": MOTION, "energy": ENERGY, "control": CONTROL}

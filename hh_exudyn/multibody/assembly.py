@@ -19,6 +19,7 @@ from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
     PARAMETERS,
     Couplings,
+    Drives,
     Kind,
     SystemModel,
     Train,
@@ -79,6 +80,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         shortest_transition=shortest_transition(case.speed, case.integration.step_ms * 1e-3),
         track_mass=flexibility.masses(),
         train=_train(vehicle, case, numbers),
+        drives=_drives(vehicle, numbers),
     )
 
 
@@ -115,16 +117,27 @@ def _irregularity(vehicle: Vehicle, case: Case, alignment: Alignment) -> Irregul
 
 
 def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
+    """The train at all heads of a vehicle that it pulls, or at the rear head of one that pulls it."""
     coupler = vehicle.coupler
-    heads = np.array(coupler.points)
+    points = dict(zip(coupler.points, coupler.bodies, strict=True))
+    if vehicle.drives:
+        rear = min(points)
+        points = {rear: points[rear]}
+    heads = np.array(list(points))
     return Train(
-        bodies=np.array([numbers[body] for body in coupler.bodies], dtype=np.int64),
-        heads=heads - np.array([vehicle.body(body).position for body in coupler.bodies]),
+        bodies=np.array([numbers[body] for body in points.values()], dtype=np.int64),
+        heads=heads - np.array([vehicle.body(body).position for body in points.values()]),
         start=start_middle(vehicle) + heads[:, 0],
         stiffness=coupler.stiffness,
         damping=coupler.damping,
         speed=case.speed,
+        course=np.array([0.0, case.speed]),
     )
+
+
+def _drives(vehicle: Vehicle, numbers: dict[str, int]) -> Drives:
+    bodies = [(numbers[drive.wheelset], numbers[drive.motor]) for drive in vehicle.drives]
+    return Drives(np.array(bodies, dtype=np.int64).reshape(-1, 2), np.zeros(len(bodies)))
 
 
 def _couplings(vehicle: Vehicle, numbers: dict[str, int]) -> Couplings:

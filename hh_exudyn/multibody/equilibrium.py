@@ -1,6 +1,7 @@
 """Static equilibrium of a vehicle that rolls straight ahead at constant speed, before the run.
 
-On a gradient the train holds the vehicle: the coupler force is its weight times the sine of the slope.
+On a gradient the train holds the vehicle: the coupler force is its weight times the sine of the slope. A
+driven vehicle holds itself and its train by its drives.
 """
 
 import math
@@ -49,7 +50,9 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
 
     The wheels roll, so the unknowns of a wheelset's pitch and creep are rates, not places; the vehicle
     stands at a given place, so the unknown of the place of the front coupler head's body is that of the
-    train, which is left in `model.train.start`. Wedges carry no vertical friction, as after a long smooth
+    train, which is left in `model.train.start`; of a driven vehicle it is the torque of its drives, alike for
+    all, left in `model.drives.torque`, while the train keeps its distance from the coupler head, and so its
+    force. Wedges carry no vertical friction, as after a long smooth
     ride; all other sliders rest where the drawing has them.
 
     Raises
@@ -73,6 +76,9 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
     guess[spins] = v[spins]
     guess[place] = 0.0
     creep = np.arange(first_creep(model), guess.size)
+    driven = model.drives.torque.size > 0
+    rear = middle + min(point[0] for point in vehicle.coupler.points)
+    torque_scale = weight / max(model.drives.torque.size, 1)
 
     def forces(change: FloatArray) -> FloatArray:
         unknown = guess + change * _LENGTH_SCALE
@@ -82,7 +88,12 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
         v[spins] = unknown[spins]
         v[creep] = unknown[creep]
         q[place] = stands
-        model.train.start[:] = start + unknown[place]
+        if driven:
+            model.drives.torque[:] = unknown[place] * torque_scale
+            evaluate_bundle(bundle, sliders, q, v, 0.0, True)  # where the heads are, to pull as before
+            model.train.start[:] = start + work.arc_length[-1] - rear
+        else:
+            model.train.start[:] = start + unknown[place]
         evaluate_bundle(bundle, sliders, q, v, 0.0, True)
         return work.generalized_force / weight * _FORCE_SCALE
 

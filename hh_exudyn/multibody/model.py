@@ -58,6 +58,7 @@ class Ledger(IntEnum):
     CONTACT_POWER = 2
     FRICTION_POWER = 3
     DAMPER_POWER = 4
+    DRIVE_POWER = 5  # given by the drives, positive in traction
 
 
 SLIDERS = 4  # slider coordinates reserved for each coupling
@@ -76,14 +77,22 @@ class Couplings(NamedTuple):
 
 
 class Train(NamedTuple):
-    """The train the vehicle is coupled to, running at constant speed."""
+    """The train the vehicle is coupled to: it runs at constant speed, or as a controller moves it."""
 
     bodies: IntArray  # (heads,) body number of each coupler head
     heads: FloatArray  # (heads, 3) coupler heads in the axes of their bodies [m]
     start: FloatArray  # (heads,) arc length of the heads at time 0 without coupler force [m]
     stiffness: float  # all heads together [N/m]
     damping: float  # [N s/m]
-    speed: float  # [m/s]
+    speed: float  # at the start [m/s]
+    course: FloatArray  # (2,) way of the train less its speed times time [m], and its speed [m/s]
+
+
+class Drives(NamedTuple):
+    """Torques of motors on wheelsets, with their reactions; none where the train pulls the vehicle."""
+
+    bodies: IntArray  # (drives, 2) body numbers of wheelset and motor
+    torque: FloatArray  # (drives,) on the wheelset about its axle, forwards [N m]; a controller writes it
 
 
 class SystemModel(NamedTuple):
@@ -103,6 +112,7 @@ class SystemModel(NamedTuple):
     shortest_transition: float  # of the creepage, a lower bound of the semi-axis a [m]
     track_mass: FloatArray  # (TRACK_COORDINATES,) [kg], [kg m^2]
     train: Train
+    drives: Drives
 
 
 class Workspace(NamedTuple):

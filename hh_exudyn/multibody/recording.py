@@ -26,7 +26,7 @@ class LogWriter:
 
     def __init__(self, vehicle: Vehicle, model: SystemModel, work: Workspace, recorder: Recorder) -> None:
         self._bundle = Bundle(model, work)
-        self._recorder = recorder
+        self.recorder = recorder
         self._places = _places(vehicle)
         self._contact = np.zeros((len(vehicle.wheelsets) * 2 * MAX_PATCHES, len(CONTACT)))
         self._motion = np.zeros((len(vehicle.bodies), len(MOTION)))
@@ -39,9 +39,9 @@ class LogWriter:
         if math.isnan(self._potential_at_start):
             self._potential_at_start = float(self._energy[0, -1])
         self._energy[0, -1] -= self._potential_at_start
-        self._recorder.append_rows("contact", self._contact[:count])
-        self._recorder.append_rows("motion", self._motion)
-        self._recorder.append_rows("energy", self._energy)
+        self.recorder.append_rows("contact", self._contact[:count])
+        self.recorder.append_rows("motion", self._motion)
+        self.recorder.append_rows("energy", self._energy)
 
 
 def _places(vehicle: Vehicle) -> IntArray:

@@ -1,5 +1,6 @@
 """`simulate(case, directory)`: equilibrium, time integration with Exudyn, logs on disk."""
 
+import math
 import signal
 import threading
 import time as clock
@@ -16,6 +17,7 @@ from hh_exudyn.kernel import Bundle
 from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.log.store import Run, open_run, write_case, write_status, write_vehicle
 from hh_exudyn.multibody.assembly import assemble, explicit_settings, exudyn_system
+from hh_exudyn.multibody.control import VehicleControl, vehicle_control
 from hh_exudyn.multibody.equilibrium import Equilibrium, equilibrium
 from hh_exudyn.multibody.model import SystemModel, Workspace, workspace
 from hh_exudyn.multibody.recording import LogWriter
@@ -84,6 +86,7 @@ def simulate(
     work = workspace(model)
     if progress is not None:
         progress(0.0, "static equilibrium (the first run also compiles the kernels)")
+    control = vehicle_control(case, vehicle, model, work)
     start = clock.perf_counter()
     state = equilibrium(vehicle, model, work)
     require_stable_step(case.integration.step_ms * 1e-3, model, work, state)
@@ -95,7 +98,8 @@ def simulate(
         write_case(directory, case.to_toml())
         write_vehicle(directory, to_json(vehicle))
         write_status(directory, status)
-        integration = _Integration(case, model, work, state, LogWriter(vehicle, model, work, recorder))
+        log = LogWriter(vehicle, model, work, recorder)
+        integration = _Integration(case, model, work, state, log, control)
         try:
             integration.run(case.alignment().length, progress)
             status.update(finished=True, reason="finished")
@@ -119,13 +123,20 @@ class _Integration:
     """
 
     def __init__(
-        self, case: Case, model: SystemModel, work: Workspace, state: Equilibrium, log: LogWriter
+        self,
+        case: Case,
+        model: SystemModel,
+        work: Workspace,
+        state: Equilibrium,
+        log: LogWriter,
+        control: VehicleControl | None,
     ) -> None:
         self._model = model
         self._work = work
         self._bundle = Bundle(model, work)
         self._state = state
         self._log = log
+        self._control = control
         self._sliders = state.sliders.copy()
         self._watch = watch_state(model)
         self._watched = Bundle(work, self._watch)
@@ -139,15 +150,23 @@ class _Integration:
         self._progress: Progress | None = None
         self._next_progress = 0.0
         self._duration = 0.0
+        self._end = math.inf  # of the track, for the leading wheelset of a vehicle that drives itself
         self._position = 0.0  # of the leading wheelset in the last sound state
         self._kernel_time = 0.0
         self._callback_time = 0.0
         self.times: dict[str, float] = {}
 
     def run(self, track_length: float, progress: Progress | None) -> None:
-        """Integrate until the leading coupler head is at the end of the track."""
+        """Integrate until the leading coupler head would be at the end of the track at the case's speed.
+
+        A vehicle that drives itself may get there earlier, and then stops.
+        """
         self._progress = progress
-        self._duration = (track_length - float(self._model.train.start.max())) / self._speed
+        front = float(self._model.train.start.max())
+        if self._control is not None:
+            front = self._control.front
+            self._end = track_length - (front - float(self._work.arc_length[0]))
+        self._duration = (track_length - front) / self._speed
         mbs = exudyn_system(self._model, self._state.q, self._state.v, self._forces, self._after_step)
         settings = explicit_settings(self._duration, self._step)
         previous = None
@@ -196,7 +215,8 @@ class _Integration:
         if self._accepted:
             self._accepted = False
             try:
-                self._commit(time, v, status)
+                if self._commit(time, v, status):  # the actuators have moved: what acts from here on
+                    evaluate_bundle(self._bundle, self._sliders, q, v, time, False)
             except Exception as error:
                 self._error = error
         result: list[float] = self._work.generalized_force.tolist()  # read faster than an array
@@ -208,8 +228,11 @@ class _Integration:
         """Contact states, one per step and patch, whose lateral curvature met its floor."""
         return int(self._watch.floored.sum())
 
-    def _commit(self, time: float, v: FloatArray, status: int) -> None:
-        """The state just evaluated is the accepted one: keep its sliders, look for trouble, log it."""
+    def _commit(self, time: float, v: FloatArray, status: int) -> bool:
+        """The state just evaluated is the accepted one: keep its sliders, look for trouble, log it, control.
+
+        Whether a controller has acted.
+        """
         self._sliders[:] = self._work.new_sliders
         if status:  # the contact kernel's: 1 + number of the wheel
             trouble, (wheelset, side) = int(Trouble.NOT_FINITE), divmod(status - 1, 2)
@@ -221,6 +244,10 @@ class _Integration:
         self._position = float(self._work.arc_length[0])
         if self._steps % self._steps_per_output == 0:
             self._log.write(time, v)
+        if self._control is None or self._steps % self._control.steps_per_sample:
+            return False
+        self._control.act(time, self._log.recorder)
+        return True
 
     def _after_step(self, mbs: Any, time: float) -> bool:
         """Exudyn's call after an accepted step; False ends the run."""
@@ -235,4 +262,4 @@ class _Integration:
                     self._progress(done, f"t = {time:.2f} s, s = {self._work.arc_length[0]:.1f} m")
                 except Exception as error:
                     self._error = error
-        return self._error is None and not self._interrupted
+        return self._error is None and not self._interrupted and self._position < self._end

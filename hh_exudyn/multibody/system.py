@@ -25,6 +25,7 @@ _FORCE = int(Ledger.COUPLER_FORCE)
 _COUPLER = int(Ledger.COUPLER_POWER)
 _CONTACT = int(Ledger.CONTACT_POWER)
 _DAMPER = int(Ledger.DAMPER_POWER)
+_DRIVE = int(Ledger.DRIVE_POWER)
 _POWER = int(Patch.POWER)
 _A = int(Patch.A)
 
@@ -49,6 +50,7 @@ def evaluate(
     _body_states(model, work, q, v)
     coupling_forces(model.couplings, sliders, settle, work)
     _train_forces(model, work, time)
+    _drive_torques(model, work)
     _wheelset_states(model, work, q, v)
     status = wheel_rail_forces(
         model.wheel_rail,
@@ -97,7 +99,7 @@ def _body_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArr
 
 @inlined_kernel
 def _train_forces(model: SystemModel, work: Workspace, time: float) -> None:
-    """The train pulls at the coupler heads along the track, as if its neighbours kept a constant speed.
+    """The train pulls at the coupler heads along the track, as if its neighbours kept to their course.
 
     Places and the speed of the train count in plan, as chainage does; the force points along the gradient.
     """
@@ -125,14 +127,30 @@ def _train_forces(model: SystemModel, work: Workspace, time: float) -> None:
             + (work.velocity[body, 2] + swing[2]) * ahead[2]
         )
         force = (
-            train.stiffness * (train.start[head] + train.speed * time - s)
-            + train.damping * (train.speed - speed * level)
+            train.stiffness * (train.start[head] + train.course[0] + train.course[1] * time - s)
+            + train.damping * (train.course[1] - speed * level)
         ) / heads
         vector = (force * ahead[0], force * ahead[1], force * ahead[2])
         add_to(work.force[body], vector, 1.0)
         add_to(work.torque[body], cross(arm, vector), 1.0)
         work.ledger[_FORCE] += force
         work.ledger[_COUPLER] += force * speed
+
+
+@inlined_kernel
+def _drive_torques(model: SystemModel, work: Workspace) -> None:
+    """Every motor turns its wheelset about the axle, and itself the other way."""
+    for drive in range(model.drives.torque.size):
+        wheelset = model.drives.bodies[drive, 0]
+        motor = model.drives.bodies[drive, 1]
+        torque = model.drives.torque[drive]
+        turned = work.rotation[wheelset]
+        axle = (turned[0, 1], turned[1, 1], turned[2, 1])
+        add_to(work.torque[wheelset], axle, torque)
+        add_to(work.torque[motor], axle, -torque)
+        for axis in range(3):
+            turn = work.angular_velocity[wheelset, axis] - work.angular_velocity[motor, axis]
+            work.ledger[_DRIVE] += torque * axle[axis] * turn
 
 
 @inlined_kernel

@@ -1,0 +1,185 @@
+"""Controllers in the loop: what they measure, what they move in the model, and the log of both.
+
+Called at accepted states, once a sample; between the samples the actuators stand, and the train moves on at
+its speed. Nothing of this is in the kernels but the numbers that it writes.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from hh_exudyn.case import Case
+from hh_exudyn.contact.types import FloatArray, Patch
+from hh_exudyn.log.recorder import Recorder
+from hh_exudyn.log.schema import CONTROL
+from hh_exudyn.multibody.model import Ledger, SystemModel, Workspace
+from track.alignment import inclined_frame
+from track.types import AlignmentTable
+from vehicles.control import Actuators, Controller, Measurement
+from vehicles.couplings import AxleBoxPad
+from vehicles.description import Vehicle
+from vehicles.driver import DrivenUnit, Driver
+from vehicles.start import start_front, start_middle
+from vehicles.steering import Steering
+
+Course = Callable[[FloatArray], FloatArray]
+
+SAMPLE = 10e-3  # s between two calls of the controllers
+_FORCE_X, _FORCE_Y = int(Patch.FORCE_X), int(Patch.FORCE_Y)
+_NORMAL, _FRICTION = int(Patch.NORMAL_FORCE), int(Patch.FRICTION)
+
+
+class VehicleControl:
+    """The controllers of a driven vehicle, between its model and its log."""
+
+    def __init__(
+        self,
+        case: Case,
+        vehicle: Vehicle,
+        model: SystemModel,
+        work: Workspace,
+        driver: Driver,
+        controllers: Sequence[Controller],
+    ) -> None:
+        self._model = model
+        self._work = work
+        self._driver = driver
+        self._controllers = controllers
+        self._radius = np.array([wheelset.radius for wheelset in vehicle.wheelsets])
+        self._rows = np.zeros((self._radius.size, len(CONTROL)))
+        self.steps_per_sample = max(1, round(SAMPLE / (case.integration.step_ms * 1e-3)))
+        self._interval = self.steps_per_sample * case.integration.step_ms * 1e-3
+        self._actuators = Actuators(
+            torques=model.drives.torque,
+            train_place=0.0,
+            train_speed=case.speed,
+            yaw=np.zeros(self._radius.size),
+            stiffness=np.ones(self._radius.size),
+        )
+        self.front = start_front(vehicle)
+        self._origin = driver.train_place
+        self._boxes = _axle_boxes(vehicle)
+        self._drawn_points = model.couplings.point_a.copy()
+        self._drawn_parameters = model.couplings.parameters.copy()
+
+    def act(self, time: float, recorder: Recorder) -> None:
+        """Log the state just evaluated, let every controller act on it, move the model's actuators."""
+        measured = self._measure(time)
+        self._log(measured)
+        recorder.append_rows("control", self._rows)
+        for controller in self._controllers:
+            controller.act(measured, self._actuators, self._interval)
+        self._move(time)
+
+    def _measure(self, time: float) -> Measurement:
+        work, model = self._work, self._model
+        count = self._radius.size
+        spins = np.einsum("wi,wi->w", work.frame_angular_velocity, work.frame_axle)
+        places = work.arc_length[:count].copy()
+        speeds = work.frame_velocity[:, 0].copy()
+        return Measurement(
+            time=time,
+            speed=float(speeds.mean()),
+            speeds=speeds,
+            wheel_speeds=spins * self._radius,
+            places=places,
+            curvatures=np.array([inclined_frame(model.alignment, s)[6] for s in places]),
+            rear_head=float(work.arc_length[-1]),
+            coupler_force=float(work.ledger[Ledger.COUPLER_FORCE]),
+        )
+
+    def _move(self, time: float) -> None:
+        model, actuators = self._model, self._actuators
+        speed = actuators.train_speed
+        model.train.course[0] = actuators.train_place - self._origin - speed * time
+        model.train.course[1] = speed
+        points, parameters = model.couplings.point_a, model.couplings.parameters
+        for coupling, wheelset, lateral in self._boxes:
+            points[coupling, 0] = self._drawn_points[coupling, 0] - actuators.yaw[wheelset] * lateral
+            parameters[coupling, 0] = self._drawn_parameters[coupling, 0] * actuators.stiffness[wheelset]
+
+    def _log(self, measured: Measurement) -> None:
+        work, rows = self._work, self._rows
+        patches = work.patches
+        creep = np.hypot(patches[..., _FORCE_X], patches[..., _FORCE_Y]) * (patches[..., _NORMAL] > 0.0)
+        bound = patches[..., _FRICTION] * np.maximum(patches[..., _NORMAL], 0.0)
+        vertical = np.maximum(-work.rail_force[:, :, 1].sum(axis=1), 1.0)
+        for k, column in enumerate(
+            (
+                measured.time,
+                measured.places,
+                np.arange(1, self._radius.size + 1),
+                measured.speeds,
+                measured.wheel_speeds,
+                self._model.drives.torque,
+                work.wrench[:, 0] / vertical,
+                creep.sum(axis=(1, 2)) / np.maximum(bound.sum(axis=(1, 2)), 1.0),
+                self._driver.demand,
+                measured.coupler_force,
+                self._actuators.train_speed,
+                self._actuators.yaw,
+                self._actuators.stiffness,
+            )
+        ):
+            rows[:, k] = column
+
+
+def vehicle_control(
+    case: Case, vehicle: Vehicle, model: SystemModel, work: Workspace
+) -> VehicleControl | None:
+    """The controllers of a vehicle with drives, None of any other.
+
+    Sets the force of the train at the start, which the equilibrium keeps.
+    """
+    if vehicle.traction is None:
+        return None
+    traction = case.traction_or_default
+    length = max(vehicle.coupler.points)[0] - min(vehicle.coupler.points)[0]
+    train = traction.train(vehicle.mass, length, *_along(model.alignment))
+    unit = DrivenUnit(
+        mass=vehicle.mass,
+        axles=len(vehicle.wheelsets),
+        radius=vehicle.wheelsets[0].radius,
+        spin_inertia=vehicle.body(vehicle.wheelsets[0].body).inertia[1],
+        equipment=vehicle.traction,
+        coupler_stiffness=vehicle.coupler.stiffness,
+    )
+    head = float(model.train.start[0])
+    grade = math.sin(-inclined_frame(model.alignment, start_middle(vehicle))[4])
+    driver = Driver(unit, train, traction.orders(case.speed), case.speed, head, grade)
+    model.train.start[0] = driver.train_place
+    controllers: list[Controller] = [driver]
+    if case.steering is not None:
+        bogies = np.array([wheelset.bogie for wheelset in vehicle.wheelsets])
+        places = np.array([vehicle.body(wheelset.body).position[0] for wheelset in vehicle.wheelsets])
+        middles = np.array([places[bogies == bogie].mean() for bogie in bogies])
+        steering = case.steering
+        controllers.append(Steering(places - middles, bogies, steering.gain, steering.softening))
+    return VehicleControl(case, vehicle, model, work, driver, controllers)
+
+
+def _along(table: AlignmentTable) -> tuple[Course, Course]:
+    """Sine of the slope and curvature over arc length; beyond the ends as at the ends."""
+    s, slope, curvature = table.s, table.gradient / np.hypot(1.0, table.gradient), table.curvature
+
+    def grade(places: FloatArray) -> FloatArray:
+        return np.interp(places, s, slope)
+
+    def curving(places: FloatArray) -> FloatArray:
+        return np.interp(places, s, curvature)
+
+    return grade, curving
+
+
+def _axle_boxes(vehicle: Vehicle) -> list[tuple[int, int, float]]:
+    """Coupling, wheelset and lateral place [m] of every axle box that ties a wheelset to its bogie frame."""
+    numbers = {wheelset.body: w for w, wheelset in enumerate(vehicle.wheelsets)}
+    kinds = {body.name: body.kind for body in vehicle.bodies}
+    return [
+        (i, numbers[coupling.body_b], coupling.point[1])
+        for i, coupling in enumerate(vehicle.couplings)
+        if isinstance(coupling, AxleBoxPad)
+        and coupling.body_b in numbers
+        and kinds[coupling.body_a] == "bogie_frame"
+    ]

@@ -1,0 +1,44 @@
+"""What a controller sees of a running vehicle and what it may move: the border between laws and dynamics.
+
+A controller is called at its own sample time with a `Measurement`, and writes `Actuators`, which act
+unchanged until the next sample.
+"""
+
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+
+
+class Measurement(NamedTuple):
+    """The state of the vehicle that a controller may know."""
+
+    time: float  # [s]
+    speed: float  # of the vehicle along the track, mean of its wheelsets [m/s]
+    speeds: FloatArray  # (wheelsets,) forward speed of each wheelset [m/s]
+    wheel_speeds: FloatArray  # (wheelsets,) spin about the axle times the nominal radius [m/s]
+    places: FloatArray  # (wheelsets,) arc lengths [m]
+    curvatures: FloatArray  # (wheelsets,) of the track there, positive to the left [1/m]
+    rear_head: float  # arc length of the coupler head to the train [m]
+    coupler_force: float  # of the train on the vehicle, forwards [N]
+
+
+@dataclass
+class Actuators:
+    """What controllers move. Written in place."""
+
+    torques: FloatArray  # (drives,) of a motor on its wheelset, forwards [N m]
+    train_place: float  # arc length of the train's coupler head, coupler unloaded [m]
+    train_speed: float  # [m/s]
+    yaw: FloatArray  # (wheelsets,) rest angle of the wheelset in its bogie, to the left [rad]
+    stiffness: FloatArray  # (wheelsets,) longitudinal stiffness of the axle boxes over that of the drawing
+
+
+class Controller(Protocol):
+    """Called at every sample."""
+
+    def act(self, measured: Measurement, actuators: Actuators, interval: float) -> None:
+        """Write the actuators for the next interval [s]."""

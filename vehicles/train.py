@@ -1,0 +1,101 @@
+"""What hangs on the coupler behind a locomotive: running resistance, grades, curves, and inertia of a train.
+
+The train is one mass on a line: its wagons run at one speed, but each stands on its own grade and curve.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hh_exudyn.conventions import GRAVITY
+
+FloatArray = NDArray[np.float64]
+
+LOADED_FROM = 6.0  # t per axle, above it the resistance of a loaded wagon holds
+_KGF_PER_TONNE = GRAVITY  # N per tonne for one kgf/t
+
+
+def wagon_resistance(speed: float, axle_load: float) -> float:
+    """Running resistance of four-axle wagons on level straight track, over their mass [N/t].
+
+    The PTR formula (rules for train traction calculations of the Russian railways, roller bearings, jointed
+    rail), as coded in maisvendoo/train, MainResForces: w = 0.7 + (3 + 0.1 V + 0.0025 V^2)/q [kgf/t] above
+    6 t per axle, else w = 1.0 + 0.044 V + 0.00024 V^2, V in km/h, q in t.
+
+    Parameters
+    ----------
+    speed : float
+        [m/s]; a train that stands has the resistance of the limit towards standstill.
+    axle_load : float
+        [t]
+    """
+    v = 3.6 * abs(speed)
+    if axle_load > LOADED_FROM:
+        return (0.7 + (3.0 + 0.1 * v + 0.0025 * v**2) / axle_load) * _KGF_PER_TONNE
+    return (1.0 + 0.044 * v + 0.00024 * v**2) * _KGF_PER_TONNE
+
+
+def locomotive_resistance(speed: float) -> float:
+    """Running resistance of a locomotive under power over its mass [N/t], V in km/h.
+
+    PTR: 1.9 + 0.008 V + 0.00025 V^2 [kgf/t].
+    """
+    v = 3.6 * abs(speed)
+    return (1.9 + 0.008 * v + 0.00025 * v**2) * _KGF_PER_TONNE
+
+
+def curve_resistance(curvature: FloatArray) -> FloatArray:
+    """Resistance of wagons in curves over their weight [-], by Roeckl.
+
+    0.650/(R - 55), below 300 m 0.5/(R - 30). Quoted from memory (main lines, 1435 mm): an assumption. Radii
+    below 100 m count as 100 m.
+    """
+    radius = 1.0 / np.maximum(np.abs(curvature), 1e-9)
+    radius = np.maximum(radius, 100.0)
+    return np.where(radius >= 300.0, 0.650 / (radius - 55.0), 0.500 / (radius - 30.0))
+
+
+@dataclass(frozen=True)
+class TrailingTrain:
+    """Further locomotives and wagons behind the vehicle that is simulated.
+
+    `grade` and `curvature` give the sine of the slope and the curvature [1/m] at arc lengths [m].
+    """
+
+    locomotives: int  # behind the simulated one
+    locomotive_mass: float  # [kg] each
+    locomotive_length: float  # [m]
+    wagons: int
+    wagon_mass: float  # [kg] each
+    wagon_length: float  # [m]
+    grade: Callable[[FloatArray], FloatArray]
+    curvature: Callable[[FloatArray], FloatArray]
+
+    @property
+    def mass(self) -> float:
+        """[kg]"""
+        return self.locomotives * self.locomotive_mass + self.wagons * self.wagon_mass
+
+    @property
+    def length(self) -> float:
+        """[m]"""
+        return self.locomotives * self.locomotive_length + self.wagons * self.wagon_length
+
+    def places(self, head: float) -> FloatArray:
+        """Arc lengths of the vehicles' middles [m] when the front coupler of the train is at `head` [m]."""
+        lengths = np.repeat(
+            [self.locomotive_length, self.wagon_length], [self.locomotives, self.wagons]
+        ).astype(float)
+        return np.asarray(head - np.cumsum(lengths) + 0.5 * lengths)
+
+    def resisting_force(self, head: float, speed: float) -> float:
+        """Resistance of rolling and of curves, and the downhill force: against forward motion [N]."""
+        masses = np.repeat([self.locomotive_mass, self.wagon_mass], [self.locomotives, self.wagons])
+        places = self.places(head)
+        rolling = self.locomotives * self.locomotive_mass * locomotive_resistance(speed)
+        rolling += self.wagons * self.wagon_mass * wagon_resistance(speed, self.wagon_mass / 4e3)
+        curves = masses * GRAVITY * curve_resistance(self.curvature(places))
+        slope = masses * GRAVITY * self.grade(places)
+        return float(rolling * 1e-3 + curves.sum() + slope.sum())
