@@ -6,6 +6,12 @@
 `parameters`          parameter files, in which every number has its unit and its source
 `three_piece_bogie`   bolster, side frames, wheelsets and what couples them
 `wagon`               the LKAB iron-ore wagon
+`locomotive`          LKAB's IORE locomotive: six driven wheelsets with nose-suspended motors
+`traction`            what drives can give; control of speed, slip and over-slip
+`train`               resistance, grades, curves and inertia of what hangs on the rear coupler
+`driver`              the driver: these laws together, from sample to sample
+`steering`            active steering of wheelsets by their axle boxes
+`control`             what a controller may measure and move
 `catalogue`           the vehicles by name
 `start`               where a vehicle stands on its track when a run begins
 `force_laws`          two-stage springs, stops, dry friction, wedges: kernels of plain numbers

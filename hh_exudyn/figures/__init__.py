@@ -6,6 +6,7 @@
 `conicity_sheet`  these panels on one sheet, for a wheel on a rail at several gauges
 `track`           a track over its length, with irregularities and quality classes; a line as shares
 `hysteresis`      friction loops: force over deflection, with what a cycle takes
+`traction`        a locomotive: drives over time, efforts over speed, curving over radius
 `wheel_forces`    Q and Y of every wheel: distributions with their ranges, and spectra
 ================  ======================================================================================
 

@@ -11,6 +11,7 @@
 `assembly`           descriptions -> model -> Exudyn system
 `equilibrium`        rest on straight track, before the run
 `stability`          the largest time step that the explicit integration bears
+`control`            controllers in the loop: driver and steering of a vehicle with drives
 `watch`              reasons to stop a run
 `recording`          rows of the logs
 `simulate`           `simulate(case, directory)`
