@@ -1,4 +1,4 @@
-"""A vehicle that is no three-piece wagon: soft springs find their equilibrium, two units keep their numbers."""
+"""No three-piece wagon: soft springs find their equilibrium, two units keep their numbers."""
 
 import numpy as np
 import pytest
@@ -27,8 +27,8 @@ def unit(number, middle):
     # preloaded: the tank hangs where it is drawn
     couplings = [
         Bushing(
-            f"sling_{number}", frame, tank, (middle, 0.0, 1.2), (2e6,) * 3, (2e4,) * 3, (2e6,) * 3, (2e4,) * 3,
-            (0.0, 0.0, SLUNG * GRAVITY),
+            f"sling_{number}", frame, tank, (middle, 0.0, 1.2), (2e6,) * 3, (2e4,) * 3, (2e6,) * 3,
+            (2e4,) * 3, (0.0, 0.0, SLUNG * GRAVITY),
         )
     ]  # fmt: skip
     wheelsets = []
