@@ -2,7 +2,7 @@
 
     python examples/08_locomotive_in_curves.py FOLDER [RADIUS ...]
 
-On rigid track: on the flexible one the outer flange chatters at friction 0.4, about the same means.
+On rigid track: on the flexible one the outer flange chatters, about the same means.
 """
 
 import sys
@@ -10,33 +10,26 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+import pyarrow
 
 from hh_exudyn.case import Case, CurveCase, StraightCase, TrackCase, TransitionCase
 from hh_exudyn.case_traction import SteeringCase
-from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.figures.traction import curving_figure
-from hh_exudyn.log.store import Run
 from hh_exudyn.multibody.simulate import simulate
 from vehicles.catalogue import vehicle
-from vehicles.couplings import AxleBoxPad
 
 SOFT = vehicle("iore_locomotive")  # 12 MN/m along the track in every axle box
+BOXES = {c.name for c in SOFT.couplings if c.name.startswith("primary")}
 STIFF = replace(SOFT, couplings=tuple(
-    replace(c, stiffness=(40e6, *c.stiffness[1:])) if isinstance(c, AxleBoxPad) and "primary" in c.name else c
-    for c in SOFT.couplings))  # fmt: skip
+    replace(c, stiffness=(40e6, *c.stiffness[1:])) if c.name in BOXES else c for c in SOFT.couplings
+))  # fmt: skip
 VARIANTS = {"stiff": (STIFF, None), "soft": (SOFT, None), "active": (SOFT, SteeringCase(gain=1.0))}
-LABELS = (
-    "angle of attack [mrad]",
-    "lateral position [mm]",
-    "Q outer [kN]",
-    "Y outer [kN]",
-    "wear number [N]",
-)
+STRAIGHT = StraightCase(length_m=30, gauge_mm=1440)
+LABELS = ("attack [mrad]", "y [mm]", "Q outer [kN]", "Y outer [kN]", "wear number outer [N]")
 
 
-def leading_outer_wheel(run: Run) -> list[float]:
-    """Means over the last second, as `LABELS` (left-hand curve)."""
-    log = run.contact()
+def leading_outer_wheel(log: pyarrow.Table) -> list[float]:
+    """Means over the last second, as `LABELS`, in a left-hand curve."""
     c = {name: log[name].to_numpy() for name in log.column_names}
     rows = (c["time"] > c["time"].max() - 1.0) & (c["wheelset"] == 1) & (c["side"] == -1)
     first = rows & (c["patch"] == 0)
@@ -46,23 +39,22 @@ def leading_outer_wheel(run: Run) -> list[float]:
 
 
 def main() -> None:
-    folder, radii = (
-        Path(sys.argv[1]),
-        [float(word) for word in sys.argv[2:]] or [300.0, 450.0, 600.0, 1e3, 2e3],
-    )
+    folder = Path(sys.argv[1])
+    radii = np.array(sys.argv[2:] or [300, 450, 600, 1000, 2000], dtype=float)
     found = {name: np.zeros((len(radii), len(LABELS))) for name in VARIANTS}
     for i, radius in enumerate(radii):
-        cant = min(150.0, 1500.0 * (60 / 3.6) ** 2 / (GRAVITY * radius))  # balanced
+        cant = min(150.0, 11.8 * 60**2 / radius)  # balanced
         curve = CurveCase(length_m=70, radius_m=radius, hand="left", cant_mm=cant, gauge_mm=1440)
-        ahead = (StraightCase(length_m=30, gauge_mm=1440), TransitionCase(length_m=60))
+        track = TrackCase(flexibility="rigid", sections=(STRAIGHT, TransitionCase(length_m=60), curve))
         for name, (unit, steering) in VARIANTS.items():
-            case = Case(name=name, vehicle="iore_locomotive", speed_km_h=60, friction=0.4, steering=steering,
-                        track=TrackCase(flexibility="rigid", sections=(*ahead, curve)))  # fmt: skip
+            case = Case(
+                name=name, vehicle=SOFT.name, speed_km_h=60, friction=0.4, track=track, steering=steering
+            )
             run = simulate(case, folder / f"{name}_{radius:g}", vehicle=unit)
-            found[name][i] = attack, *_, wear = leading_outer_wheel(run)
-            print(f"{radius:g} m {name}: attack {attack:6.2f} mrad, wear number {wear:5.0f} N")
+            found[name][i] = leading_outer_wheel(run.contact())
+            print(f"{radius:g} m {name}: attack {found[name][i, 0]:.2f} mrad, wear {found[name][i, 4]:.0f} N")
     panels = {label: {n: v[:, k : k + 1] for n, v in found.items()} for k, label in enumerate(LABELS)}
-    curving_figure("leading outer wheel", np.array(radii), panels).savefig(folder / "curving.png")
+    curving_figure("leading outer wheel", radii, panels).savefig(folder / "curving.png")
 
 
 if __name__ == "__main__":

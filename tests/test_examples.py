@@ -120,7 +120,7 @@ def test_locomotive_in_curves(tmp_path: Path) -> None:
     found = {
         name: (float(attack), float(wear))
         for name, attack, wear in re.findall(
-            r"^450 m (\w+): attack +([-\d.]+) mrad, wear number +(\d+) N", text, re.MULTILINE
+            r"^450 m (\w+): attack +([-\d.]+) mrad, wear (\d+) N", text, re.MULTILINE
         )
     }
     assert abs(found["stiff"][0]) > 1.2 * abs(found["soft"][0]) > 5 * abs(found["active"][0])
