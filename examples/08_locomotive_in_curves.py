@@ -24,7 +24,7 @@ STIFF = replace(SOFT, couplings=tuple(
     replace(c, stiffness=(40e6, *c.stiffness[1:])) if c.name in BOXES else c for c in SOFT.couplings
 ))  # fmt: skip
 VARIANTS = {"stiff": (STIFF, None), "soft": (SOFT, None), "active": (SOFT, SteeringCase(gain=1.0))}
-STRAIGHT = StraightCase(length_m=30, gauge_mm=1440)
+ENTRY = StraightCase(length_m=30, gauge_mm=1440), TransitionCase(length_m=60)
 LABELS = ("attack [mrad]", "y [mm]", "Q outer [kN]", "Y outer [kN]", "wear number outer [N]")
 
 
@@ -39,17 +39,15 @@ def leading_outer_wheel(log: pyarrow.Table) -> list[float]:
 
 
 def main() -> None:
-    folder = Path(sys.argv[1])
-    radii = np.array(sys.argv[2:] or [300, 450, 600, 1000, 2000], dtype=float)
+    folder, radii = Path(sys.argv[1]), np.array(sys.argv[2:] or [300, 450, 600, 1e3, 2e3], dtype=float)
     found = {name: np.zeros((len(radii), len(LABELS))) for name in VARIANTS}
     for i, radius in enumerate(radii):
         cant = min(150.0, 11.8 * 60**2 / radius)  # balanced
         curve = CurveCase(length_m=70, radius_m=radius, hand="left", cant_mm=cant, gauge_mm=1440)
-        track = TrackCase(flexibility="rigid", sections=(STRAIGHT, TransitionCase(length_m=60), curve))
+        track = TrackCase(flexibility="rigid", sections=(*ENTRY, curve))
         for name, (unit, steering) in VARIANTS.items():
-            case = Case(
-                name=name, vehicle=SOFT.name, speed_km_h=60, friction=0.4, track=track, steering=steering
-            )
+            case = Case(name=name, vehicle=SOFT.name, speed_km_h=60, friction=0.4, track=track)
+            case = case.with_changes(steering=steering)
             run = simulate(case, folder / f"{name}_{radius:g}", vehicle=unit)
             found[name][i] = leading_outer_wheel(run.contact())
             print(f"{radius:g} m {name}: attack {found[name][i, 0]:.2f} mrad, wear {found[name][i, 4]:.0f} N")
