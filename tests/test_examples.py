@@ -158,7 +158,7 @@ def test_locomotive(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_locomotive_in_curves(tmp_path: Path) -> None:
     """Softer axle boxes let the leading wheelset turn into the curve, actuators turn it all the way."""
-    text = run("08_locomotive_in_curves.py", tmp_path, "450")
+    text = run("11_locomotive_in_curves.py", tmp_path, "450")
     found = {
         name: (float(attack), float(wear))
         for name, attack, wear in re.findall(

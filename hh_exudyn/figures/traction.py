@@ -117,10 +117,10 @@ def effort_figure(
     return figure
 
 
-def curving_figure(
+def steering_figure(
     title: str, radii: FloatArray, quantities: Mapping[str, Mapping[str, FloatArray]]
 ) -> Figure:
-    """Quantities of the wheelsets of one bogie over the radius of the curve, one panel each.
+    """Quantities of the wheelsets of one bogie over the radius of the curve, variants side by side.
 
     Parameters
     ----------

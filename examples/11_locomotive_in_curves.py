@@ -1,6 +1,6 @@
 """The leading wheelset of a locomotive in curves: stiff, soft and actively steered axle boxes.
 
-    python examples/08_locomotive_in_curves.py FOLDER [RADIUS ...]
+    python examples/11_locomotive_in_curves.py FOLDER [RADIUS ...]
 
 On rigid track: on the flexible one the outer flange chatters, about the same means.
 """
@@ -14,7 +14,7 @@ import pyarrow
 
 from hh_exudyn.case import Case, CurveCase, StraightCase, TrackCase, TransitionCase
 from hh_exudyn.case_traction import SteeringCase
-from hh_exudyn.figures.traction import curving_figure
+from hh_exudyn.figures.traction import steering_figure
 from hh_exudyn.multibody.simulate import simulate
 from vehicles.catalogue import vehicle
 
@@ -52,7 +52,7 @@ def main() -> None:
             found[name][i] = leading_outer_wheel(run.contact())
             print(f"{radius:g} m {name}: attack {found[name][i, 0]:.2f} mrad, wear {found[name][i, 4]:.0f} N")
     panels = {label: {n: v[:, k : k + 1] for n, v in found.items()} for k, label in enumerate(LABELS)}
-    curving_figure("leading outer wheel", radii, panels).savefig(folder / "curving.png")
+    steering_figure("leading outer wheel", radii, panels).savefig(folder / "curving.png")
 
 
 if __name__ == "__main__":
