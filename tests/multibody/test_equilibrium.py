@@ -52,8 +52,11 @@ def test_load_springs_deflect_as_their_law_says(settled):
     wagon, _, state = settled
     p = load_parameters("iore_wagon")
     sprung = sum(body.mass for body in wagon.bodies if body.kind in ("car_body", "bolster"))
-    load = sprung * GRAVITY / 4 - 2 * p["wedge.preload"]
-    wedges = 2 * p["wedge.spring_stiffness"]
+    # a column that closes by its toe drives the wedge further down than the bolster, and its lift grows alike
+    toe, slope = np.radians([p["wedge.toe"], p["wedge.slope"]])
+    drive = 1 / (1 - np.tan(toe) / np.tan(slope))
+    load = sprung * GRAVITY / 4 - 2 * p["wedge.preload"] * drive
+    wedges = 2 * p["wedge.spring_stiffness"] * drive**2
     first = p["spring_nest.first_stiffness"] + wedges
     second = p["spring_nest.second_stiffness"] + wedges
     touch = p["spring_nest.second_from"]
