@@ -13,7 +13,7 @@ from hh_exudyn.multibody.simulate import simulate
 from track.alignment import inclined_frame, inclined_rotation
 from track.flexibility import track_flexibility
 from vehicles.catalogue import vehicle
-from vehicles.couplings import AxleBoxPad
+from vehicles.couplings import AxleBox
 
 RADIUS, CANT, GAUGE = 450.0, 0.065, 1.445
 UP = np.array([0.0, 0.0, 1.0])
@@ -172,7 +172,7 @@ def test_damp_rails_and_stiff_pads_steer_worse(demo, runs, contact, change):
     angle of attack is the 2..3 mrad of a bogie whose axles stay nearly parallel.
     """
     couplings = tuple(
-        replace(c, stiffness=tuple(3 * k for k in c.stiffness)) if isinstance(c, AxleBoxPad) else c
+        replace(c, stiffness=tuple(3 * k for k in c.stiffness)) if isinstance(c, AxleBox) else c
         for c in WAGON.couplings
     )
     case, wagon = (
