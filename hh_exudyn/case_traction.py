@@ -37,10 +37,15 @@ class TractionCase(CaseTable):
     trailing_wagons: int = number("-", 0, 200, 68)
     wagon_mass_t: float = number("t", 15, 130, 120.0)
     units: int = number("-", 1, 4, 2)
-    set_speed_km_h: float | None = number("km/h", 0, 130, None)
+    set_speed_km_h: float | None = number("km/h", 5, 130, None)
     braking_limit_kN: float = number("kN", 0, 2000, 500.0)
     slip_control: bool = True
     over_slip_percent: float = number("%", 0, 30, 0.0)
+
+    @property
+    def alone(self) -> bool:
+        """Whether nothing hangs on the coupler of the simulated unit."""
+        return self.units == 1 and self.trailing_wagons == 0
 
     def orders(self, speed: float) -> DriverOrders:
         """For the driver of a vehicle that starts at a speed [m/s]."""

@@ -168,8 +168,9 @@ def _figures(done: "Run", report: "DamageReport", distance: float) -> "dict[str,
     if report.model.burstow is not None:
         worst = surface.wheels[int(surface.rcf_number[:, TREAD].max(axis=(1, 2)).argmax())]
         figures["rcf_map.png"] = energy_map_figure(report, worst, distance)
-    if not report.bad_rows.count:  # it reads the log itself
-        figures["shakedown.png"] = shakedown_figure(done, report.model.material)
+    figures["shakedown.png"] = shakedown_figure(
+        done, report.model.material, skip_bad_rows=report.bad_rows.count > 0
+    )
     return figures
 
 

@@ -173,6 +173,21 @@ def test_friction_loops(tmp_path: Path) -> None:
     assert picture.stat().st_size > 10_000
 
 
+@pytest.mark.slow
+def test_locomotive_in_curves(tmp_path: Path) -> None:
+    """Softer axle boxes let the leading wheelset turn into the curve, actuators turn it all the way."""
+    text = run("11_locomotive_in_curves.py", tmp_path, "450")
+    found = {
+        name: (float(attack), float(wear))
+        for name, attack, wear in re.findall(
+            r"^450 m (\w+): attack +([-\d.]+) mrad, wear (\d+) N", text, re.MULTILINE
+        )
+    }
+    assert abs(found["stiff"][0]) > 1.2 * abs(found["soft"][0]) > 5 * abs(found["active"][0])
+    assert found["stiff"][1] > 1.2 * found["soft"][1] > 5 * found["active"][1]
+    assert [path.name for path in tmp_path.glob("*.png")] == ["curving.png"]
+
+
 def test_every_example_is_run_here() -> None:
     source = Path(__file__).read_text()
     for path in EXAMPLES.glob("*.py"):

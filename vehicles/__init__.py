@@ -10,6 +10,12 @@
 `suspended_wheelset`  reference: the smallest model that hunts, with its closed form
 `cooperrider`         reference: Cooperrider's bogie
 `manchester`          reference: vehicle 1 of the Manchester benchmarks
+`locomotive`          LKAB's IORE locomotive: six driven wheelsets with nose-suspended motors
+`traction`            what drives can give; control of speed, slip and over-slip
+`train`               resistance, grades, curves and inertia of what hangs on the rear coupler
+`driver`              the driver: these laws together, from sample to sample
+`steering`            active steering of wheelsets by their axle boxes
+`control`             what a controller may measure and move
 `catalogue`           the vehicles by name
 `variants`            a vehicle with some numbers changed, said in a small file
 `statics`             axle loads of a vehicle at rest

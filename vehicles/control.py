@@ -22,7 +22,6 @@ class Measurement(NamedTuple):
     wheel_speeds: FloatArray  # (wheelsets,) spin about the axle times the nominal radius [m/s]
     places: FloatArray  # (wheelsets,) arc lengths [m]
     curvatures: FloatArray  # (wheelsets,) of the track there, positive to the left [1/m]
-    rear_head: float  # arc length of the coupler head to the train [m]
     coupler_force: float  # of the train on the vehicle, forwards [N]
 
 

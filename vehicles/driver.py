@@ -60,7 +60,6 @@ class Driver:
     Attributes
     ----------
     demand : effort asked of each unit, before slip control [N]
-    effort : sum of the torques over the radius that the simulated unit's axles are given, losses off [N]
     """
 
     def __init__(
@@ -80,7 +79,6 @@ class Driver:
         whole = own + train.resisting_force(head, speed)
         least, most = self._bounds(speed)
         self.demand = min(max(whole / self._units, least), most)
-        self.effort = self.demand
         #: force of the train on the unit at the start, which leaves the unit without acceleration [N]
         self.coupler_force = own - self.demand
         self._place = head + self.coupler_force / unit.coupler_stiffness
@@ -98,11 +96,6 @@ class Driver:
     def train_place(self) -> float:
         """Arc length of the train's coupler head, coupler unloaded [m]."""
         return self._place
-
-    @property
-    def starting_torque(self) -> float:
-        """First guess of the torque on each axle at the start, losses off [N m]."""
-        return self.demand * self._unit.radius / self._unit.axles - self._unit.losses(self._speed)
 
     def _bounds(self, speed: float) -> tuple[float, float]:
         """Least and largest effort of one unit at a speed [N]."""
@@ -128,7 +121,6 @@ class Driver:
         else:
             torques = np.full(unit.axles, per_axle)
         actuators.torques[:] = torques - unit.losses(measured.speed)
-        self.effort = float(actuators.torques.sum()) / unit.radius
         self._move_train(measured, interval)
         actuators.train_place = self._place
         actuators.train_speed = self._speed

@@ -7,10 +7,12 @@ rails, whose rolling radius alone grows with the place of the contact on the whe
     r = r0 + conicity * y_wheel,                                                                     (1)
 
 and which neither climb nor roll. What a real cone of the same conicity does besides is left out as in those
-models: the wheelset's roll by conicity / half distance (the largest: it makes the contact move sideways by
-1 + r0 conicity / half distance of what the axle does), the gravitational stiffness of yaw and lateral
-motion, spin creepage. There is no friction limit, and creep forces follow the creepage at once. Cylinder and
-rail head bear the load by Hertz, and a flange 8 mm from the rail holds a wheelset that has gone too far.
+models: the wheelset's roll by conicity / half distance (the largest: it makes the contact move sideways by 1
++ r0 conicity / half distance of what the axle does), the gravitational stiffness of yaw and lateral motion,
+spin creepage. Cones of 0.1 with the same coefficients give the suspended wheelset a critical speed of 73.15
+instead of 73.40 m/s and a frequency of 6.35 instead of 6.27 Hz. There is no friction limit, and creep forces
+follow the creepage at once. Cylinder and rail head bear the load by Hertz, and a flange 8 mm from the rail
+holds a wheelset that has gone too far.
 """
 
 import numpy as np

@@ -117,10 +117,10 @@ def effort_figure(
     return figure
 
 
-def curving_figure(
+def steering_figure(
     title: str, radii: FloatArray, quantities: Mapping[str, Mapping[str, FloatArray]]
 ) -> Figure:
-    """Quantities of the wheelsets of one bogie over the radius of the curve, one panel each.
+    """Quantities of the wheelsets of one bogie over the radius of the curve, variants side by side.
 
     Parameters
     ----------
@@ -154,7 +154,8 @@ def curving_figure(
                         color=f"C{number}", label=f"{variant} {number + 1}".strip(),
                     )  # fmt: skip
             axes.set_ylabel(label)
-            axes.axhline(0.0, color="0.6", lw=0.8)
+            if any(values.min() < 0.0 < values.max() for values in variants.values()):
+                axes.axhline(0.0, color="0.6", lw=0.8)
             axes.set_xlabel("radius [m]")
         panels[0].legend(ncols=2, title="wheelset")
         for axes in panels[len(quantities) :]:

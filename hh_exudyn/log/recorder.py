@@ -126,7 +126,7 @@ class Recorder:
         Parameters
         ----------
         log
-            ``contact``, ``motion`` or ``energy``.
+            ``contact``, ``motion``, ``energy`` or ``control``.
         rows
             (n, ncolumns) values; integers as float64, strings as their codes in `names`.
 
@@ -157,7 +157,7 @@ class Recorder:
         Parameters
         ----------
         log
-            ``contact``, ``motion`` or ``energy``.
+            ``contact``, ``motion``, ``energy`` or ``control``.
         columns
             Column name to n values. String columns take texts, or integer codes of `names`.
 

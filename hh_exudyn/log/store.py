@@ -3,7 +3,7 @@
     directory/case.toml                  the case that was run
     directory/vehicle.json               the vehicle that ran, whole (`vehicles.stored`)
     directory/status.json                how the run ended
-    directory/<log>/part-00000.parquet   rows of the log `contact`, `motion` or `energy`, in order of time
+    directory/<log>/part-00000.parquet   rows of one of the logs of `schema`, in order of time
 
 A part appears under its name only when it is whole, so a run that was killed leaves all its finished parts
 readable; temporary files are ignored. `Recorder` writes the logs; it is passed on from here.
@@ -94,7 +94,7 @@ class Run:
         Parameters
         ----------
         log
-            ``contact``, ``motion`` or ``energy``.
+            ``contact``, ``motion``, ``energy`` or ``control``.
         columns
             Names of the wanted columns, in the wanted order; None for all.
 

@@ -1,6 +1,25 @@
 """The only importer of Exudyn: vehicle and track descriptions become a multibody system and are run.
 
-===================  ==========================================================================="""
+===================  ==================================================================================
+`model`              layout of the coordinates, everything constant, and the kernel's work space
+`vectors`            three-vectors and rotations inside kernels
+`couplings`          all suspension elements of a vehicle in one kernel
+`general_couplings`  force laws of pads, axle boxes, bushings, rods, bump stops
+`bogie_couplings`    force laws of spring nests, wedges, centre plates, side bearers
+`hysteresis`         force over deflection of a bogie's friction elements in slow cycles
+`system`             `evaluate`: all forces of a vehicle on its track
+`assembly`           descriptions -> model -> Exudyn system
+`equilibrium`        rest on straight track, before the run
+`linear`             modes, their way over speed, linear critical speed
+`hunting`            motion in time after a disturbance, nonlinear critical speed
+`stability`          the largest time step that the explicit integration bears
+`control`            controllers in the loop: driver and steering of a vehicle with drives
+`watch`              reasons to stop a run
+`recording`          rows of the logs
+`simulate`           `simulate(case, directory)`
+`once`               `simulate_once`, for studies that are begun again: finished runs are found
+===================  ==================================================================================
+"""
 
 try:
     import exudyn as _exudyn  # noqa: F401

@@ -123,13 +123,14 @@ def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
     if vehicle.drives:
         rear = min(points)
         points = {rear: points[rear]}
+    uncoupled = bool(vehicle.drives) and case.traction_or_default.alone
     heads = np.array(list(points))
     return Train(
         bodies=np.array([numbers[body] for body in points.values()], dtype=np.int64),
         heads=heads - np.array([vehicle.body(body).position for body in points.values()]),
         start=start_middle(vehicle) + heads[:, 0],
-        stiffness=coupler.stiffness,
-        damping=coupler.damping,
+        stiffness=0.0 if uncoupled else coupler.stiffness,
+        damping=0.0 if uncoupled else coupler.damping,
         speed=case.speed,
         course=np.array([0.0, case.speed]),
     )

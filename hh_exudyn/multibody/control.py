@@ -85,7 +85,6 @@ class VehicleControl:
             wheel_speeds=spins * self._radius,
             places=places,
             curvatures=np.array([inclined_frame(model.alignment, s)[6] for s in places]),
-            rear_head=float(work.arc_length[-1]),
             coupler_force=float(work.ledger[Ledger.COUPLER_FORCE]),
         )
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from hh_exudyn.multibody.hunting import lateral_motion
+from hh_exudyn.multibody.hunting import lateral_motion, nonlinear_critical_speed
 from hh_exudyn.multibody.linear import LinearVehicle, critical_speed, root_locus
 from vehicles.catalogue import VEHICLES, parameters, vehicle
 from vehicles.couplings import AxleBoxPad, Bushing
@@ -122,12 +122,15 @@ def test_cooperriders_bogie_begins_to_hunt(given_case, swapped, speed, frequency
 VERTICAL_MODES = (1.073869, 1.299055, 7.470545, 7.477240, 11.713774, 11.713774)
 
 
+SOFT = 1e3  # N/m, lengthwise: keeps the bodies in their places and does nothing else
+
+
 def vertical_springs_alone(coach):
     """What acts lengthwise taken off, and the load of the springs, which tilts with them; axle loads kept."""
     couplings = []
     for c in coach.couplings:
         if isinstance(c, AxleBoxPad | Bushing):
-            c = replace(c, stiffness=(0.0, *c.stiffness[1:]))
+            c = replace(c, stiffness=(min(c.stiffness[0], SOFT), *c.stiffness[1:]))
         if isinstance(c, Bushing):
             c = replace(
                 c, rotational_stiffness=(c.rotational_stiffness[0], 0.0, 0.0), preload=(0.0, 0.0, 0.0)
@@ -135,7 +138,8 @@ def vertical_springs_alone(coach):
         couplings.append(c)
     axle_load = sum(body.weight for body in coach.bodies) / 4
     bodies = [
-        replace(body, held_weight=axle_load if body.kind == "wheelset" else 0.0) for body in coach.bodies
+        replace(body, deflection=0.0, held_weight=axle_load if body.kind == "wheelset" else 0.0)
+        for body in coach.bodies
     ]
     return replace(coach, bodies=tuple(bodies), couplings=tuple(couplings))
 
@@ -160,6 +164,19 @@ def test_vertical_modes_of_manchester_vehicle_1(given_case, whole, tolerance):
         and np.abs(mode.shape[own][:, [2, 4]]).max() > 0.5
     ]
     assert vertical == pytest.approx(VERTICAL_MODES, rel=tolerance)
+
+
+def test_hunting_is_followed_down_until_it_settles(given_case):
+    """The coach on S1002 and 60E1: a limit cycle well above its linear critical speed, none well below."""
+    case = given_case.with_changes(
+        contact={"theory": "fastrip"}, wheel_profile="S1002", track={"rail": "60E1", "inclination": "1:40"}
+    )
+    coach = LinearVehicle(vehicle("manchester_vehicle_1"), case)
+    linear = critical_speed(coach, low=45.0, high=75.0, step=10.0)
+    assert 50.0 < linear.speed < 70.0
+    cycles = nonlinear_critical_speed(coach, [1.3 * linear.speed, 0.75 * linear.speed, 20.0], duration=2.5)
+    assert len(cycles) == 2  # 20 m/s is not run any more
+    assert cycles[0][1] > 3e-3 > 0.5e-3 > cycles[1][1]
 
 
 def test_reference_vehicles_say_where_their_numbers_are_from():

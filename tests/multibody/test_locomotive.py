@@ -79,6 +79,17 @@ def test_drives_hold_locomotive_and_train(demo, per_mille):
     assert -(loads * places).sum() == pytest.approx(tilting, abs=1e-3 * 180e3 * GRAVITY)  # 1 mm of the weight
 
 
+def test_a_unit_alone_has_no_force_on_its_coupler(demo):
+    """What its drives hold is then its own weight along the slope."""
+    case = on_slope(demo, 60.0, 6.0, traction={"units": 1, "trailing_wagons": 0})
+    model = assemble(LOCOMOTIVE, case)
+    work = workspace(model)
+    assert vehicle_control(case, LOCOMOTIVE, model, work) is not None
+    equilibrium(LOCOMOTIVE, model, work)
+    assert work.ledger[Ledger.COUPLER_FORCE] == 0.0
+    assert work.wrench[:, 0].sum() == pytest.approx(180e3 * GRAVITY * np.sin(np.arctan(0.006)), abs=20.0)
+
+
 def test_it_holds_its_speed_and_energy_closes(demo, runs):
     """6 per mille, which two units can: 60 km/h within 1 %, and no work is lost on the way."""
     run = simulate(on_slope(demo, 55.0, 6.0), runs / "uphill")

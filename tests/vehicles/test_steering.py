@@ -14,7 +14,7 @@ def steered(curvatures, gain, softening, duration=10.0):
     steering = Steering(OFFSETS, BOGIES, gain, softening)
     actuators = Actuators(np.zeros(6), 0.0, 0.0, np.zeros(6), np.ones(6))
     empty = np.zeros(6)
-    measured = Measurement(0.0, 16.0, empty, empty, empty, np.asarray(curvatures), 0.0, 0.0)
+    measured = Measurement(0.0, 16.0, empty, empty, empty, np.asarray(curvatures), 0.0)
     for _ in range(round(duration / 0.01)):
         steering.act(measured, actuators, 0.01)
     return actuators

@@ -88,7 +88,7 @@ def point_mass(driver, wheel, duration, mass=180e3, speed=60 / 3.6, grade=0.0):
     found = []
     for step in range(round(duration / SAMPLE)):
         speeds = np.full(6, speed)
-        measured = Measurement(step * SAMPLE, speed, speeds, speeds, np.zeros(6), np.zeros(6), place, coupler)
+        measured = Measurement(step * SAMPLE, speed, speeds, speeds, np.zeros(6), np.zeros(6), coupler)
         driver.act(measured, actuators, SAMPLE)
         for _ in range(5):  # the coupler is too stiff for the controller's interval
             coupler = LOCOMOTIVE.coupler.stiffness * (actuators.train_place - place)
