@@ -156,9 +156,9 @@ def test_the_train_pays_for_what_is_lost(demo_run):
 def test_the_wagon_steers_as_an_ore_wagon(contact):
     """Leading wheelsets run under-radial on the outer flange, trailing ones near radial and inside them.
 
-    How far inside, dry friction says in the trailing bogie. Its plate holds it towards the body's direction by
-    2/3 mu N R, 12 kN m, as much as its wedges hold against warp: it lozenges, and its last wheelset runs near
-    the middle of the track. With half the friction of the plate it stays 2.6 mm outside of that.
+    How far inside, dry friction says in the trailing bogie. Its plate turns it back to the body's direction
+    with 2/3 mu N R, 13 kN m, as much as its wedges hold against warp: it lozenges, and its last wheelset runs
+    near the middle of the track. With half the friction of the plate that runs 2.6 mm outside of the middle.
     """
     attack = -wheel_means(contact, "angle_of_attack")[:, 0]  # towards the outer rail in a left-hand curve
     outwards = -wheel_means(contact, "y_wheelset")[:, 0]
