@@ -155,6 +155,24 @@ def test_locomotive(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.glob("*.png")) == ["efforts.png", "off.png", "on.png"]
 
 
+def test_friction_loops(tmp_path: Path) -> None:
+    """Every element of the bogie takes energy out of its cycle, as much as its loop encloses."""
+    picture = tmp_path / "loops.png"
+    text = run("10_friction_loops.py", picture)
+    found = re.findall(
+        r"^(\S.*\S) +(-?[\d.]+) J around the loop, +(-?[\d.]+) J dissipated$", text, re.MULTILINE
+    )
+    loops = {title: (float(area), float(dissipated)) for title, area, dissipated in found}
+    assert len(loops) == len(text.splitlines()) == 9
+    for area, dissipated in loops.values():
+        assert area > 1.0
+        assert area == pytest.approx(dissipated, rel=0.01, abs=0.1)
+    assert loops["springs and wedges of a side"][0] == pytest.approx(
+        2 * loops["wedge, vertical"][0], rel=0.02
+    )
+    assert picture.stat().st_size > 10_000
+
+
 @pytest.mark.slow
 def test_locomotive_in_curves(tmp_path: Path) -> None:
     """Softer axle boxes let the leading wheelset turn into the curve, actuators turn it all the way."""

@@ -43,7 +43,7 @@ def evaluate(
     """Fill `work.generalized_force` for the coordinates q and velocities v (layout: `model`).
 
     Returns 0, or the status of `wheel_rail_forces` (1 + number of the wheel that became NaN, counted
-    1L, 1R, 2L, ...). With `settle` the wedges' vertical friction is off.
+    1L, 1R, 2L, ...). With `settle` friction elements are those of `coupling_forces`.
     """
     for k in range(work.ledger.size):
         work.ledger[k] = 0.0
