@@ -147,7 +147,9 @@ class LinearVehicle:
         Raises NoEquilibrium where there is none.
         """
         model = self._model._replace(
-            train=self._model.train._replace(speed=speed, start=self._start.copy()),
+            train=self._model.train._replace(
+                speed=speed, start=self._start.copy(), course=np.array([0.0, speed])
+            ),
             shortest_transition=shortest_transition(speed, step),
         )
         return model, self._work, equilibrium(self.vehicle, model, self._work)

@@ -39,7 +39,8 @@ SMALLEST_HEIGHT = 1.2  # of a body with roof and windows [m]
 
 def plain_box(vehicle: Vehicle, body: Body) -> trimesh.Trimesh:
     """The box that stands for a body."""
-    return box(*body_box(vehicle, body), COLOURS[body.kind])
+    low, high = body_box(vehicle, body)
+    return box(low.tolist(), high.tolist(), COLOURS[body.kind])
 
 
 def car_body(vehicle: Vehicle, body: Body) -> trimesh.Trimesh:
