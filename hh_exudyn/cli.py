@@ -38,6 +38,7 @@ from hh_exudyn.cli_output import (
     fail,
     kept,
     new_table,
+    number,
     out,
     print_table,
     require_new_folder,
@@ -184,13 +185,13 @@ def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) 
          "p_max [MPa]", "wear number [N]", "FI>0 [%]"),
     )  # fmt: skip
     for row in rows:
-        of_wheelset = (f"{row.angle_of_attack * 1e3:.2f}", f"{row.lateral * 1e3:.2f}")
+        of_wheelset = (number(row.angle_of_attack * 1e3, 2), number(row.lateral * 1e3, 2))
         for i, side in enumerate("LR"):
             table.add_row(
                 f"{row.wheelset}{side}",
-                f"{row.Q[i] * 1e-3:.1f}",
-                f"{row.Y[i] * 1e-3:.1f}",
-                f"{row.y_over_q[i]:.3f}",
+                number(row.Q[i] * 1e-3, 1),
+                number(row.Y[i] * 1e-3, 1),
+                number(row.y_over_q[i], 3),
                 *(of_wheelset if i == 0 else ("", "")),
                 f"{row.p_max[i] * 1e-6:.0f}",
                 f"{row.wear_number[i]:.0f}",

@@ -1,9 +1,7 @@
 """A vehicle to scale, side and top view, from the description that a run uses.
 
-Wheels have their true radius; couplings are marks at their points, rods lines between theirs. What a body
-looks like is not in its description, so a body is drawn as what is known of it: the car body of a vehicle
-that has the lengths of its outline by them; side frames, bolsters and bogie frames as the box around the
-points where they are coupled; the others as the cuboid of uniform density with their mass and inertia.
+Wheels have their true radius; couplings are marks at their points, rods lines between theirs; bodies are the
+boxes of `vehicles.outline`.
 """
 
 import math
@@ -18,11 +16,8 @@ from matplotlib.patches import Circle, Rectangle
 from numpy.typing import NDArray
 
 from vehicles.description import Body, Vehicle
+from vehicles.outline import RUNNING_CIRCLE, WHEEL_WIDTH, attachments, body_box, coupling_ends, vehicle_box
 
-FRAMES = ("side_frame", "bolster", "bogie_frame")  # kinds that are drawn around their couplings
-THINNEST = 0.12  # m, of such a box
-RUNNING_CIRCLE = 0.75  # m, of the wheels' middle from the track's
-WHEEL_WIDTH = 0.135  # m
 _BELOW = 0.75  # m below the rail, for the dimensions
 _COLOURS = {
     "car_body": "tab:blue",
@@ -47,16 +42,9 @@ def vehicle_sheet(title: str, vehicle: Vehicle) -> Figure:
         Any; the leading end is on the right.
     """
     boxes = [(body, body_box(vehicle, body)) for body in vehicle.bodies if body.kind != "wheelset"]
-    ends = [x for _, (low, high) in boxes for x in (low[0], high[0])]
-    ends += [point[0] for point in vehicle.coupler.points]
-    ends += [
-        vehicle.body(wheelset.body).position[0] + sign * wheelset.radius
-        for wheelset in vehicle.wheelsets
-        for sign in (-1, 1)
-    ]
-    span = (min(ends) - 0.4, max(ends) + 0.4)
-    top = max([2 * wheelset.radius for wheelset in vehicle.wheelsets] + [high[2] for _, (_, high) in boxes])
-    half = max([RUNNING_CIRCLE + WHEEL_WIDTH] + [high[1] for _, (_, high) in boxes]) + 0.3
+    low, high = vehicle_box(vehicle)
+    span = (low[0] - 0.4, high[0] + 0.4)
+    top, half = high[2], max(-low[1], high[1]) + 0.3
     heights = (top + 0.3 + _BELOW, 2 * half)
     width = 9.0
     scale = (width - 1.0) / (span[1] - span[0])  # inches a metre
@@ -85,61 +73,6 @@ def vehicle_sheet(title: str, vehicle: Vehicle) -> Figure:
     return figure
 
 
-def body_box(vehicle: Vehicle, body: Body) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Two corners of the box that a body is drawn as (lowest and highest x, y, z) [m]."""
-    if body.kind == "car_body" and (outline := _outline(vehicle, body)) is not None:
-        return outline
-    centre = np.array(body.position)
-    points = [point for other, point in _attachments(vehicle) if other == body.name]
-    if body.kind in FRAMES and points:
-        corners = np.array([*points, body.position])
-        low, high = corners.min(axis=0), corners.max(axis=0)
-        lack = np.maximum(THINNEST - (high - low), 0.0) / 2
-        return low - lack, high + lack
-    half = uniform_cuboid(body.mass, body.inertia) / 2
-    return centre - half, centre + half
-
-
-def uniform_cuboid(mass: float, inertia: tuple[float, float, float]) -> NDArray[np.float64]:
-    """Edges [m] of the cuboid of uniform density with that mass [kg] and those principal inertias [kg m^2].
-
-    Ix = m (ly^2 + lz^2) / 12 and so on, solved for the edges; no edge is shorter than `THINNEST`, as
-    inertias that no cuboid has (a ring's) would need.
-    """
-    of = np.array(inertia)
-    squares = 6.0 * (of.sum() - 2.0 * of) / mass
-    return np.sqrt(np.maximum(squares, THINNEST**2))
-
-
-def _outline(vehicle: Vehicle, body: Body) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:
-    """The car body by the lengths of the description, of a vehicle that has one car body and gives them."""
-    if sum(other.kind == "car_body" for other in vehicle.bodies) > 1:
-        return None
-    given = vehicle.dimensions
-    length = given.get("basket_length", given.get("body_length", given.get("length")))
-    width = given.get("basket_width", given.get("width"))
-    foot = given.get("centre_plate_height", given.get("floor_height"))
-    if length is None or width is None or foot is None or "height" not in given:
-        return None
-    x, y, _ = body.position
-    low, high = (x - length / 2, y - width / 2, foot), (x + length / 2, y + width / 2, given["height"])
-    return np.array(low), np.array(high)
-
-
-def _attachments(vehicle: Vehicle) -> list[tuple[str, tuple[float, float, float]]]:
-    """Every body with every point where something is coupled to it."""
-    found = []
-    for coupling in vehicle.couplings:
-        ends = _ends(coupling)
-        found += [(coupling.body_a, ends[0]), (coupling.body_b, ends[-1])]
-    return found
-
-
-def _ends(coupling: object) -> list[tuple[float, float, float]]:
-    """The point of a coupling, or the two of one that has a length."""
-    return [getattr(coupling, name) for name in ("point", "point_a", "point_b") if hasattr(coupling, name)]
-
-
 def _draw_box(
     axes: Axes, body: Body, box: tuple[NDArray[np.float64], NDArray[np.float64]], view: tuple[int, int]
 ) -> None:
@@ -161,7 +94,7 @@ def _draw_couplings(axes: Axes, vehicle: Vehicle, view: tuple[int, int]) -> None
     i, j = view
     kinds = dict.fromkeys(type(coupling).__name__ for coupling in vehicle.couplings)
     for kind, mark in zip(kinds, cycle(_MARKS), strict=False):
-        mine = [_ends(coupling) for coupling in vehicle.couplings if type(coupling).__name__ == kind]
+        mine = [coupling_ends(coupling) for coupling in vehicle.couplings if type(coupling).__name__ == kind]
         label = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind).lower()
         for ends in mine:
             if len(ends) > 1:
@@ -221,7 +154,7 @@ def _draw_plan_wheels(axes: Axes, vehicle: Vehicle) -> None:
         axes.axhline(side * RUNNING_CIRCLE, color="black", linewidth=0.8, alpha=0.4)
     for wheelset in vehicle.wheelsets:
         x = vehicle.body(wheelset.body).position[0]
-        own = [abs(point[1]) for name, point in _attachments(vehicle) if name == wheelset.body]
+        own = [abs(point[1]) for name, point in attachments(vehicle) if name == wheelset.body]
         end = max([RUNNING_CIRCLE, *own])  # the journals, where its outermost couplings are
         axes.plot([x, x], [-end, end], color="black", linewidth=1.5)
         for side in (1, -1):

@@ -43,26 +43,37 @@ class WagonDimensions:
             raise ValueError(f"basket_length {self.basket_length} m must be below length {self.length} m")
 
 
+_BODIES = {"car_body_height": "car_body", "bolster_height": "bolster", "side_frame_height": "side_frame"}
+_OPTIONAL = "running_circle_distance"
+
+
+def is_ore_wagon(vehicle: Vehicle) -> bool:
+    """Whether a description has all lengths of an ore wagon, and its kinds of bodies and no others."""
+    return not _missing(vehicle) and {body.kind for body in vehicle.bodies} == {*_BODIES.values(), "wheelset"}
+
+
 def wagon_dimensions(vehicle: Vehicle) -> WagonDimensions:
-    """The lengths of a described wagon.
+    """The lengths of a described wagon; its units are alike.
 
     Raises
     ------
     ValueError
-        The description lacks a length, or one of the bodies car_body, bolster_1, side_frame_1L.
+        The description lacks a length, or has no car body, no bolster or no side frame.
     """
-    bodies = {body.name: body for body in vehicle.bodies}
-    missing = sorted({"car_body", "bolster_1", "side_frame_1L"} - set(bodies))
-    wanted = {field.name for field in fields(WagonDimensions)}
-    heights = {"car_body_height", "bolster_height", "side_frame_height", "running_circle_distance"}
-    missing += sorted(wanted - heights - set(vehicle.dimensions))
-    if missing:
+    if missing := _missing(vehicle):
         raise ValueError(
             f"vehicle {vehicle.name} cannot be drawn as an ore wagon: it lacks {', '.join(missing)}"
         )
+    given = {field.name for field in fields(WagonDimensions)} & set(vehicle.dimensions)
+    height = {body.kind: body.position[2] for body in vehicle.bodies}
     return WagonDimensions(
-        **{name: vehicle.dimensions[name] for name in wanted & set(vehicle.dimensions)},
-        car_body_height=bodies["car_body"].position[2],
-        bolster_height=bodies["bolster_1"].position[2],
-        side_frame_height=bodies["side_frame_1L"].position[2],
+        **{name: vehicle.dimensions[name] for name in given},
+        **{name: height[kind] for name, kind in _BODIES.items()},
     )
+
+
+def _missing(vehicle: Vehicle) -> list[str]:
+    """What a description lacks of an ore wagon's."""
+    wanted = {field.name for field in fields(WagonDimensions)} - set(_BODIES) - {_OPTIONAL}
+    kinds = {body.kind for body in vehicle.bodies}
+    return sorted((set(_BODIES.values()) - kinds) | (wanted - set(vehicle.dimensions)))

@@ -4,40 +4,59 @@ import rerun as rr
 import rerun.blueprint as rrb
 
 from hh_exudyn.playback.wheels import QUANTITIES
+from vehicles.description import Vehicle
+from vehicles.outline import vehicle_box
 
 SKY = (196, 209, 222)
-EYE = (7.3, 6.9, 3.5)  # in the vehicle's moving frame [m]
-LOOK_AT = (0.35, 0.0, 1.55)
-CONTACT_EYE = (5.75, 1.2, 0.75)
-CONTACT_LOOK_AT = (4.2, 0.5, 0.25)
+USUAL_LENGTH = 10.29  # of the vehicle that the eye stands for; farther from longer ones [m]
+SHORTEST = 2.2  # length of vehicle that the eye comes nearer to [m]
+EYE = (6.95, 6.9, 1.95)  # from what it looks at [m]
+LOOK_AT_HEIGHT = 1.55
+CONTACT_EYE = (1.476, 1.2, 0.75)  # from the middle of the leading axle's shadow [m]
+CONTACT_LOOK_AT = (-0.074, 0.5, 0.25)
 FRICTION_SCALE = 24.0  # the 2D view has one scale for both axes: utilised friction is drawn larger
 LARGEST_FRICTION, LARGEST_PRESSURE = 0.6, 12.0
 
 
-def blueprint(bodies: list[str], wheelsets: list[str], *, timeline: str = "sim_time") -> rrb.Blueprint:
-    """Wagon in 3D on the left; time series and shakedown diagram on the right.
+def vehicle_view(vehicle: Vehicle, leader: str) -> rrb.Spatial3DView:
+    """The whole vehicle from ahead and the left, in the frame that moves with a body, the leader."""
+    low, high = vehicle_box(vehicle)
+    length = max(high[0] - low[0], SHORTEST)
+    scale = (length / USUAL_LENGTH) ** 0.75  # the far end of a long one is small anyhow
+    ahead = 0.035 * length  # the near end takes more room in the picture
+    middle = (low[0] + high[0]) / 2 - vehicle.body(leader).position[0] + ahead
+    target = (middle, 0.0, min(LOOK_AT_HEIGHT, 0.5 * high[2]))
+    eye = tuple(place + scale * away for place, away in zip(target, EYE, strict=True))
+    return rrb.Spatial3DView(
+        origin="/world/vehicle",
+        contents=["+ /world/**"],
+        name="Vehicle",
+        background=SKY,
+        line_grid=False,
+        eye_controls=rrb.EyeControls3D(
+            kind=rrb.Eye3DKind.Orbital, position=eye, look_target=target, eye_up=(0.0, 0.0, 1.0)
+        ),
+    )
+
+
+def blueprint(vehicle: Vehicle, leader: str, *, timeline: str = "sim_time") -> rrb.Blueprint:
+    """Vehicle in 3D on the left; time series and shakedown diagram on the right.
 
     Parameters
     ----------
-    bodies
-        Names of all bodies below ``world/vehicle``.
-    wheelsets
-        Those that are wheelsets: they stay in the view of the contacts, see-through.
+    vehicle
+        What runs; its wheelsets stay in the view of the contacts, see-through.
+    leader
+        The body that the moving frame follows.
     timeline
         Shown at first: ``sim_time`` or ``track_mm``.
     """
-    hidden = [f"- /world/vehicle/{body}/**" for body in bodies if body not in wheelsets]
+    wheelsets = [wheelset.body for wheelset in vehicle.wheelsets]
+    hidden = [f"- /world/vehicle/{body.name}/**" for body in vehicle.bodies if body.name not in wheelsets]
+    axle = max(vehicle.body(wheelset).position[0] for wheelset in wheelsets)
+    axle -= vehicle.body(leader).position[0]
     views = rrb.Vertical(
-        rrb.Spatial3DView(
-            origin="/world/vehicle",
-            contents=["+ /world/**"],
-            name="Wagon",
-            background=SKY,
-            line_grid=False,
-            eye_controls=rrb.EyeControls3D(
-                kind=rrb.Eye3DKind.Orbital, position=EYE, look_target=LOOK_AT, eye_up=(0.0, 0.0, 1.0)
-            ),
-        ),
+        vehicle_view(vehicle, leader),
         rrb.Spatial3DView(
             origin="/world/vehicle",
             contents=["+ /world/**", *hidden],
@@ -50,8 +69,8 @@ def blueprint(bodies: list[str], wheelsets: list[str], *, timeline: str = "sim_t
             },
             eye_controls=rrb.EyeControls3D(
                 kind=rrb.Eye3DKind.Orbital,
-                position=CONTACT_EYE,
-                look_target=CONTACT_LOOK_AT,
+                position=(axle + CONTACT_EYE[0], *CONTACT_EYE[1:]),
+                look_target=(axle + CONTACT_LOOK_AT[0], *CONTACT_LOOK_AT[1:]),
                 eye_up=(0.0, 0.0, 1.0),
             ),
         ),

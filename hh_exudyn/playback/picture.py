@@ -76,7 +76,7 @@ def take(
     size
         Width and height of the viewer [pixels], 200 to 8000.
     view
-        Name of one view of the blueprint, such as "Wagon"; None for the whole viewer.
+        Name of one view of the blueprint, such as "Vehicle"; None for the whole viewer.
 
     Raises
     ------

@@ -1,9 +1,10 @@
-"""A run as a rerun recording: the wagon on its track, forces at the wheels, time series, shakedown diagram.
+"""A run as a rerun recording: the vehicle on its track, forces at the wheels, time series, shakedown diagram.
 
 Entities: ``world/track/<piece>/{rails,bed,sleepers}`` (static), ``world/vehicle`` (the moving frame, on
 the centre line below the car body), ``world/vehicle/<body>``, ``world/vehicle/contact/<wheel>/force`` and
 ``.../patch``, ``plots/<quantity>/<wheel>``, ``shakedown/**``. Wheels are named by wheelset and side, "1L"
-leads. Timelines: ``sim_time`` and ``track_mm``, the arc length of the car body.
+leads, of several units with theirs before it, "2.1L". Timelines: ``sim_time`` and ``track_mm``, the arc
+length of the leading car body.
 """
 
 from collections.abc import Mapping
@@ -20,7 +21,6 @@ from hh_exudyn.case import Case
 from hh_exudyn.contact.rail_tables import RailCourse
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.log.store import Run
-from hh_exudyn.playback.dimensions import wagon_dimensions
 from hh_exudyn.playback.frames import FloatArray, Poses, moving_frame, relative
 from hh_exudyn.playback.layout import blueprint
 from hh_exudyn.playback.send import (
@@ -34,7 +34,7 @@ from hh_exudyn.playback.send import (
     send_series,
     send_track_piece,
 )
-from hh_exudyn.playback.shapes import wagon_shapes
+from hh_exudyn.playback.shapes import vehicle_shapes
 from hh_exudyn.playback.track_shapes import pieces
 from hh_exudyn.playback.wheels import wheel_rows
 from track.alignment import Alignment
@@ -42,16 +42,17 @@ from vehicles.description import Vehicle
 from vehicles.stored import from_json
 
 APPLICATION = "hh_exudyn"
-FRAME_BODY = "car_body"  # the moving frame follows this body
-SIGHT = 150.0  # track drawn before and behind the wagon's way [m]
+SIGHT = 150.0  # track drawn before and behind the vehicle's way [m]
 
 
 @dataclass(frozen=True)
 class Scene:
-    """What stands around a log: shapes, track and strength.
+    """What stands around a log: vehicle, shapes, track and strength.
 
     Attributes
     ----------
+    vehicle
+        What ran.
     shapes
         Meshes about the centres of mass, by entity below ``world/vehicle``.
     alignment
@@ -62,6 +63,7 @@ class Scene:
         Yield strength in pure shear k of the wheel, for fatigue index and shakedown diagram [Pa].
     """
 
+    vehicle: Vehicle
     shapes: Mapping[str, trimesh.Trimesh]
     alignment: Alignment
     rail_left: RailCourse
@@ -70,7 +72,7 @@ class Scene:
 
 
 def scene(case: Case, described: Vehicle | None = None) -> Scene:
-    """The scene of a case with an ore wagon.
+    """The scene of a case.
 
     Parameters
     ----------
@@ -78,18 +80,20 @@ def scene(case: Case, described: Vehicle | None = None) -> Scene:
         What was run.
     described
         The vehicle that ran; None: the case's own.
-
-    Raises
-    ------
-    ValueError
-        The vehicle is not described with the lengths of an ore wagon.
     """
     tread = np.column_stack([case.wheel.y, case.wheel.z])
-    shapes = wagon_shapes(wagon_dimensions(described or case.described_vehicle()), tread)
-    return Scene(shapes, case.alignment(), case.track.rail_course(LEFT), case.track.rail_course(RIGHT))
+    vehicle = described or case.described_vehicle()
+    rails = (case.track.rail_course(LEFT), case.track.rail_course(RIGHT))
+    return Scene(vehicle, vehicle_shapes(vehicle, tread), case.alignment(), *rails)
 
 
-def record(run: Run, path: Path | str, *, every: int = 1, vehicle: int = 1) -> Path:
+def leading_body(vehicle: Vehicle) -> str:
+    """Name of the body that the moving frame follows: the first car body, else that of a coupler head."""
+    car_bodies = (body.name for body in vehicle.bodies if body.kind == "car_body")
+    return next(car_bodies, vehicle.coupler.bodies[0])
+
+
+def record(run: Run, path: Path | str, *, every: int = 1, vehicle: int | None = None) -> Path:
     """Write a run as a recording with its blueprint (`.rrd`), and return its path.
 
     Parameters
@@ -101,13 +105,12 @@ def record(run: Run, path: Path | str, *, every: int = 1, vehicle: int = 1) -> P
     every
         Only every n-th output time is taken, from 1.
     vehicle
-        Number of the vehicle in the run.
+        Number of the vehicle in the run whose wheels are shown; None: all.
 
     Raises
     ------
     ValueError
-        `every` below 1; a log without rows, of another vehicle, or off the case's track; a vehicle that
-        cannot be drawn.
+        `every` below 1; a log without rows, of another vehicle, or off the case's track.
     FileNotFoundError
         The run has no case or no logs.
     """
@@ -134,17 +137,15 @@ def record_tables(
     *,
     name: str = "run",
     every: int = 1,
-    vehicle: int = 1,
+    vehicle: int | None = None,
 ) -> Path:
     """As `record`, from the two logs as tables and a scene."""
     target = Path(path)
     target.parent.mkdir(parents=True, exist_ok=True)
     stream = rr.RecordingStream(APPLICATION, send_properties=False)
-    bodies = motion["body"].unique().to_pylist()
-    wheelsets = [body for body in bodies if body.startswith("wheelset")]
     partial = target.with_name(target.name + ".part")  # so that no half recording bears the name
     try:
-        stream.save(partial, default_blueprint=blueprint(bodies, wheelsets))
+        stream.save(partial, default_blueprint=blueprint(scene.vehicle, leading_body(scene.vehicle)))
         stream.send_recording_name(name)
         send(stream, motion, contact, scene, every=every, vehicle=vehicle)
         stream.disconnect()  # flushes
@@ -162,15 +163,16 @@ def send(
     scene: Scene,
     *,
     every: int = 1,
-    vehicle: int = 1,
+    vehicle: int | None = None,
 ) -> None:
     """Send a run into any recording stream: a file, or a viewer that listens. Errors as `record`."""
     if every < 1:
         raise ValueError(f"every = {every} must be at least 1")
     bodies = _bodies(motion, every)
-    if FRAME_BODY not in bodies:
-        raise ValueError(f"the motion log has no body {FRAME_BODY}; it has {', '.join(bodies)}")
-    times, s = bodies[FRAME_BODY]["time"], bodies[FRAME_BODY]["s"]
+    leader = leading_body(scene.vehicle)
+    if leader not in bodies:
+        raise ValueError(f"the motion log has no body {leader}; it has {', '.join(bodies)}")
+    times, s = bodies[leader]["time"], bodies[leader]["s"]
     when = clock(times, s)
     frame = moving_frame(scene.alignment, s)
 
@@ -184,7 +186,7 @@ def send(
     send_poses(stream, "world/vehicle", when, frame)
     for body, columns in bodies.items():
         if not np.array_equal(columns["time"], times):
-            raise ValueError(f"the motion log has body {body} at other times than {FRAME_BODY}")
+            raise ValueError(f"the motion log has body {body} at other times than {leader}")
         send_poses(stream, f"world/vehicle/{body}", when, relative(body_poses(columns), frame))
     _send_wheels(stream, _thinned(contact, times, every), scene, frame, times, s, vehicle)
 
@@ -196,12 +198,13 @@ def _send_wheels(
     frame: Poses,
     times: FloatArray,
     s: FloatArray,
-    vehicle: int,
+    vehicle: int | None,
 ) -> None:
     """All that comes from the contact log."""
     when = clock(times, s)
     send_diagram(stream)
-    for wheel in wheel_rows(contact, times, vehicle):
+    shown = np.unique(contact["vehicle"].to_numpy()).tolist() if vehicle is None else [vehicle]
+    for wheel in (wheel for number in shown for wheel in wheel_rows(contact, times, number)):
         rail = scene.rail_left if wheel.side == LEFT else scene.rail_right
         send_contact(stream, when, wheel, scene.alignment, rail, frame)
         send_series(stream, when, wheel, scene.shear_yield)

@@ -29,6 +29,7 @@ CREEP_COLOUR = (255, 170, 30)
 WHEEL_COLOURS: Mapping[str, tuple[int, int, int]] = {
     "1L": (229, 57, 53), "1R": (255, 158, 158), "2L": (67, 160, 71), "2R": (165, 214, 167),
     "3L": (30, 136, 229), "3R": (144, 202, 249), "4L": (251, 192, 45), "4R": (255, 241, 118),
+    "5L": (171, 71, 188), "5R": (225, 190, 231), "6L": (0, 172, 193), "6R": (128, 222, 234),
 }  # fmt: skip
 OTHER_COLOUR = (200, 200, 200)
 
@@ -135,9 +136,16 @@ def _heat(share: FloatArray) -> NDArray[np.uint8]:
     )
 
 
+def _colour(wheel: str) -> tuple[int, ...]:
+    """Of a wheel by its name; darker from the second unit on."""
+    unit, _, name = wheel.rpartition(".")
+    colour = WHEEL_COLOURS.get(name, OTHER_COLOUR)
+    return colour if unit in ("", "1") else tuple(2 * part // 3 for part in colour)
+
+
 def send_series(stream: rr.RecordingStream, when: Clock, wheel: WheelRows, shear_yield: float) -> None:
     """The plotted quantities of a wheel."""
-    colour = WHEEL_COLOURS.get(wheel.name, OTHER_COLOUR)
+    colour = _colour(wheel.name)
     for key, values in series(wheel, shear_yield).items():
         entity = f"plots/{key}/{wheel.name}"
         stream.log(entity, rr.SeriesLines(colors=[colour], names=[wheel.name], widths=[1.6]), static=True)
@@ -150,7 +158,7 @@ def send_diagram_points(
     """The working points of a wheel's patches in the shakedown diagram (which is y-down)."""
     friction, pressure = diagram_points(wheel, shear_yield)
     entity = f"shakedown/points/{wheel.name}"
-    colour = WHEEL_COLOURS.get(wheel.name, OTHER_COLOUR)
+    colour = _colour(wheel.name)
     stream.log(entity, rr.Points2D.from_fields(colors=[colour], radii=[0.24], draw_order=10.0), static=True)
     stream.send_columns(
         entity,

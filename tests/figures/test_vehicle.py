@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from matplotlib.patches import Circle, Rectangle
 
-from hh_exudyn.figures.vehicle import THINNEST, body_box, summary, uniform_cuboid, vehicle_sheet
+from hh_exudyn.figures.vehicle import summary, vehicle_sheet
 from vehicles.catalogue import VEHICLES, vehicle
 from vehicles.couplings import Rod
 from vehicles.description import Body, Coupler, Vehicle, Wheelset
+from vehicles.outline import THINNEST, body_box, uniform_cuboid
 
 WAGON = vehicle("iore_wagon_loaded")
 

@@ -12,10 +12,10 @@ from hh_exudyn.case import Case
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
 from hh_exudyn.contact.rail_tables import RailCourse
 from hh_exudyn.log.schema import CONTACT, MOTION
-from hh_exudyn.playback.dimensions import WagonDimensions, wagon_dimensions
+from hh_exudyn.playback.dimensions import WagonDimensions
 from hh_exudyn.playback.frames import track_frames
 from hh_exudyn.playback.run import Scene
-from hh_exudyn.playback.shapes import wagon_shapes
+from hh_exudyn.playback.shapes import vehicle_shapes
 from track.alignment import Alignment, Curve, Straight, Transition
 from vehicles.catalogue import vehicle
 
@@ -94,11 +94,10 @@ def synthetic_run() -> Callable[..., SyntheticRun]:
         times = np.round(np.arange(int(seconds * rate) + 1) / rate, 9)
         s = start + SPEED * times
         wheel = wheel_profile("S1002")
-        shapes = wagon_shapes(
-            wagon_dimensions(vehicle("iore_wagon_loaded")), np.column_stack([wheel.y, wheel.z])
-        )
+        wagon = vehicle("iore_wagon_loaded")
+        shapes = vehicle_shapes(wagon, np.column_stack([wheel.y, wheel.z]))
         rail = RailCourse((rail_profile("60E1"),))
-        scene = Scene(shapes, alignment, rail, rail)
+        scene = Scene(wagon, shapes, alignment, rail, rail)
         return SyntheticRun(_motion(alignment, times, s), _contact(alignment, times, s), scene, times, s)
 
     return build

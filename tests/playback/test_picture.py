@@ -33,8 +33,8 @@ def pixels(path: Path) -> np.ndarray:
 @needs_driver
 def test_picture_shows_a_wagon_that_moves(recording: Path, tmp_path: Path) -> None:
     """Sky above, ore in the middle, and another picture at another time."""
-    first = pixels(picture.take(recording, tmp_path / "a.png", 0.1, size=(900, 600), view="Wagon"))
-    later = pixels(picture.take(recording, tmp_path / "b.png", 1.9, size=(900, 600), view="Wagon"))
+    first = pixels(picture.take(recording, tmp_path / "a.png", 0.1, size=(900, 600), view="Vehicle"))
+    later = pixels(picture.take(recording, tmp_path / "b.png", 1.9, size=(900, 600), view="Vehicle"))
     assert first.shape == later.shape and first.shape[0] > 200
     red, green, blue = (first[..., i] for i in range(3))
     assert np.mean((blue > red) & (blue > 180)) > 0.10  # sky
@@ -44,7 +44,7 @@ def test_picture_shows_a_wagon_that_moves(recording: Path, tmp_path: Path) -> No
 
 @needs_driver
 def test_unknown_view_is_named(recording: Path, tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match=r"no view 'Nothing'.*Wagon"):
+    with pytest.raises(ValueError, match=r"no view 'Nothing'.*Vehicle"):
         picture.take(recording, tmp_path / "a.png", 0.1, size=(400, 300), view="Nothing")
 
 

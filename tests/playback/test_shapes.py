@@ -9,7 +9,7 @@ from hh_exudyn.contact.rail_tables import RailCourse
 from hh_exudyn.playback.dimensions import WagonDimensions, wagon_dimensions
 from hh_exudyn.playback.frames import moving_frame
 from hh_exudyn.playback.meshes import box, shaded, turned
-from hh_exudyn.playback.shapes import wagon_shapes
+from hh_exudyn.playback.shapes import vehicle_shapes
 from hh_exudyn.playback.track_shapes import pieces, rail_section, sleeper
 from track.alignment import Alignment, Curve, Grade, Straight, Transition
 from vehicles.catalogue import vehicle
@@ -23,7 +23,7 @@ def tread() -> np.ndarray:
 
 @pytest.fixture(scope="module")
 def shapes(tread: np.ndarray) -> dict[str, trimesh.Trimesh]:
-    return wagon_shapes(WagonDimensions(), tread)
+    return vehicle_shapes(vehicle("iore_wagon_loaded"), tread)
 
 
 def test_every_shape_is_closed_light_and_points_outwards(shapes: dict[str, trimesh.Trimesh]) -> None:
@@ -36,7 +36,8 @@ def test_every_shape_is_closed_light_and_points_outwards(shapes: dict[str, trime
 
 def test_wagon_has_the_published_lengths(shapes: dict[str, trimesh.Trimesh]) -> None:
     """Length over couplers, basket width and height of Table 1-1 (Hossein-Nia 2018)."""
-    body = shapes["car_body"].bounds + np.array([0.0, 0.0, WagonDimensions().car_body_height])
+    height = vehicle("iore_wagon_loaded").body("car_body").position[2]
+    body = shapes["car_body"].bounds + np.array([0.0, 0.0, height])
     np.testing.assert_allclose(body[:, 0], [-10.29 / 2, 10.29 / 2], atol=1e-9)
     np.testing.assert_allclose(body[:, 1], [-3.49 / 2, 3.49 / 2], atol=1e-9)
     assert body[1, 2] == pytest.approx(3.64)
@@ -56,13 +57,12 @@ def test_ore_lies_in_the_basket_and_heaps_over_its_rim(shapes: dict[str, trimesh
     ore, size = shapes["car_body/ore"], WagonDimensions()
     assert np.all(np.abs(ore.bounds[:, 0]) < 0.5 * size.basket_length)
     assert np.all(np.abs(ore.bounds[:, 1]) < 0.5 * size.basket_width)
-    low, high = ore.bounds[:, 2] + size.car_body_height
+    low, high = ore.bounds[:, 2] + vehicle("iore_wagon_loaded").body("car_body").position[2]
     assert low < size.height - 0.3 and size.height < high < size.height + 0.5
 
 
 def test_empty_wagon_has_no_ore(tread: np.ndarray) -> None:
-    empty = wagon_dimensions(vehicle("iore_wagon_empty"))
-    assert "car_body/ore" not in wagon_shapes(empty, tread)
+    assert "car_body/ore" not in vehicle_shapes(vehicle("iore_wagon_empty"), tread)
 
 
 def test_dimensions_come_from_the_description() -> None:

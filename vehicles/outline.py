@@ -1,0 +1,93 @@
+"""Where the bodies of a vehicle are on its drawing: a box for each, made from what its description holds.
+
+What a body looks like is not in its description, so its box is what is known of it: the car body of a vehicle
+that has the lengths of its outline by them; side frames, bolsters, bogie frames and what is held from outside
+by the points where they are coupled; the others as the cuboid of uniform density with their mass and inertia.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vehicles.couplings import Coupling, Vector
+from vehicles.description import Body, Vehicle
+
+FloatArray = NDArray[np.float64]
+
+RUNNING_CIRCLE = 0.75  # m, of the wheels' middle from the track's
+WHEEL_WIDTH = 0.135  # m
+THINNEST = 0.12  # m, of a box
+COUPLER_REACH = 0.6  # m, of a coupler head before the body, where the length over the couplers alone is known
+FLOOR_GAP = 0.05  # m, of a floor over the wheels, where its height is not known
+_FRAMES = ("side_frame", "bolster", "bogie_frame")  # kinds with a box around their couplings
+
+
+def body_box(vehicle: Vehicle, body: Body) -> tuple[FloatArray, FloatArray]:
+    """Two corners of the box that stands for a body (lowest and highest x, y, z) [m]."""
+    if body.kind == "car_body" and (outline := _outline(vehicle, body)) is not None:
+        return outline
+    points = [point for other, point in attachments(vehicle) if other == body.name]
+    if points and (body.kind in _FRAMES or body.held_weight is not None):
+        corners = np.array([*points, body.position])
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        lack = np.maximum(THINNEST - (high - low), 0.0) / 2
+        return low - lack, high + lack
+    centre = np.array(body.position)
+    half = uniform_cuboid(body.mass, body.inertia) / 2
+    return centre - half, centre + half
+
+
+def vehicle_box(vehicle: Vehicle) -> tuple[FloatArray, FloatArray]:
+    """Two corners of the box around all bodies, wheels and coupler heads (lowest and highest x, y, z) [m]."""
+    corners = [body_box(vehicle, body) for body in vehicle.bodies if body.kind != "wheelset"]
+    heads = np.array(vehicle.coupler.points)
+    corners.append((heads.min(axis=0), heads.max(axis=0)))
+    for wheelset in vehicle.wheelsets:
+        reach = np.array([wheelset.radius, RUNNING_CIRCLE + WHEEL_WIDTH, wheelset.radius])
+        centre = np.array(vehicle.body(wheelset.body).position)
+        corners.append((centre - reach, centre + reach))
+    return np.min([low for low, _ in corners], axis=0), np.max([high for _, high in corners], axis=0)
+
+
+def uniform_cuboid(mass: float, inertia: Vector) -> FloatArray:
+    """Edges [m] of the cuboid of uniform density with that mass [kg] and those principal inertias [kg m^2].
+
+    Ix = m (ly^2 + lz^2) / 12 and so on, solved for the edges; no edge is shorter than `THINNEST`, as
+    inertias that no cuboid has (a ring's) would need.
+    """
+    of = np.array(inertia)
+    squares = 6.0 * (of.sum() - 2.0 * of) / mass
+    return np.sqrt(np.maximum(squares, THINNEST**2))
+
+
+def attachments(vehicle: Vehicle) -> list[tuple[str, Vector]]:
+    """Every body with every point where something is coupled to it."""
+    found = []
+    for coupling in vehicle.couplings:
+        ends = coupling_ends(coupling)
+        found += [(coupling.body_a, ends[0]), (coupling.body_b, ends[-1])]
+    return found
+
+
+def coupling_ends(coupling: Coupling) -> list[Vector]:
+    """The point of a coupling, or the two of one that has a length."""
+    return [getattr(coupling, name) for name in ("point", "point_a", "point_b") if hasattr(coupling, name)]
+
+
+def _outline(vehicle: Vehicle, body: Body) -> tuple[FloatArray, FloatArray] | None:
+    """The car body by the lengths of the description, of a vehicle that gives them for each of its units."""
+    units = len({wheelset.unit for wheelset in vehicle.wheelsets})
+    if sum(other.kind == "car_body" for other in vehicle.bodies) > units:
+        return None
+    given = vehicle.dimensions
+    length = given.get("basket_length", given.get("body_length"))
+    width = given.get("basket_width", given.get("width"))
+    foot = given.get("centre_plate_height", given.get("floor_height"))
+    if length is None and "length" in given:
+        length = given["length"] - 2 * COUPLER_REACH
+    if foot is None and vehicle.wheelsets:
+        foot = 2 * max(wheelset.radius for wheelset in vehicle.wheelsets) + FLOOR_GAP
+    if length is None or width is None or foot is None or "height" not in given:
+        return None
+    x, y, _ = body.position
+    low, high = (x - length / 2, y - width / 2, foot), (x + length / 2, y + width / 2, given["height"])
+    return np.array(low), np.array(high)
