@@ -1,8 +1,9 @@
-"""The loaded wagon in curves of 300 to 2000 m, all with the same cant deficiency.
+"""A vehicle in curves of 300 to 2000 m, all with the same cant deficiency.
 
-    python examples/08_curving.py [FOLDER [RADIUS_M ...]]
+    python examples/08_curving.py [FOLDER [VEHICLE [RADIUS_M ...]]]
 
-Some five minutes; runs that FOLDER (curving) holds already are not repeated. Writes curving.png there.
+VEHICLE is a name of the catalogue or a vehicle file, the loaded wagon where it is not given. Some five
+minutes; runs that FOLDER (curving) holds already are not repeated. Writes curving.png there.
 """
 
 import sys
@@ -30,8 +31,9 @@ SHOWN = {  # label: attribute of a summary, factor
 
 def main() -> None:
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else "curving")
-    radii = sorted(float(word) for word in sys.argv[2:]) or RADII
-    demo = read_case(str(files("hh_exudyn") / "data" / "demo.toml"))
+    vehicle = sys.argv[2] if len(sys.argv) > 2 else "iore_wagon_loaded"
+    radii = sorted(float(word) for word in sys.argv[3:]) or RADII
+    demo = read_case(str(files("hh_exudyn") / "data" / "demo.toml")).with_changes(vehicle=vehicle)
     found = []
     for radius in radii:
         cant = round(1e3 * cant_deficiency(demo.speed, radius) - DEFICIENCY, 1)
@@ -45,12 +47,14 @@ def main() -> None:
         found.append(wheelset_summary(run, steady_window(run)))
         for one in found[-1]:
             attack, position = 1e3 * one.angle_of_attack, 1e3 * one.lateral
-            print(f"  wheelset {one.wheelset}: attack {attack:.3f} mrad, position {position:.2f} mm")
+            name = f"  wheelset {one.wheelset} of unit {one.vehicle}"
+            print(f"{name}: attack {attack:.3f} mrad, position {position:.2f} mm")
     quantities = {
         label: factor * np.array([[getattr(one, name) for one in of_run] for of_run in found])
         for label, (name, factor) in SHOWN.items()
     }
-    title = f"{demo.vehicle}, left-hand curves, {demo.speed_km_h:g} km/h, cant deficiency {DEFICIENCY:g} mm"
+    how = f"{demo.speed_km_h:g} km/h, cant deficiency {DEFICIENCY:g} mm"
+    title = f"{Path(vehicle).stem}, left-hand curves, {how}"
     curving_figure(title, np.array(radii), quantities).savefig(folder / "curving.png", dpi=150)
 
 

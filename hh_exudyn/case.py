@@ -32,6 +32,7 @@ from hh_exudyn.case_alignment import (
     TransitionCase,
     gauges_mm,
 )
+from hh_exudyn.case_brake import BrakeCase
 from hh_exudyn.case_errors import CaseError, explain
 from hh_exudyn.case_fields import CaseTable, from_folder, is_path, number
 from hh_exudyn.case_friction import FrictionCase, FrictionSectionCase, SurfaceCase
@@ -50,6 +51,7 @@ from track.alignment import Alignment
 from vehicles.description import Vehicle
 
 __all__ = [
+    "BrakeCase",
     "Case",
     "CaseError",
     "CentreLineCase",
@@ -95,6 +97,7 @@ class Case(CaseTable):
     profile (``"S1002"``) or the path of a profile file. `friction` is one coefficient for all patches, or a
     table where it is not the same everywhere (`hh_exudyn.case_friction`). `traction` and `steering` are for
     vehicles with drives (`hh_exudyn.case_traction`); such a vehicle without the first has the default table.
+    `brake` presses the brake shoes of a vehicle that has them (`hh_exudyn.case_brake`).
 
     Raises
     ------
@@ -112,6 +115,7 @@ class Case(CaseTable):
     integration: IntegrationCase = IntegrationCase()
     traction: TractionCase | None = None
     steering: SteeringCase | None = None
+    brake: BrakeCase | None = None
 
     if not TYPE_CHECKING:  # type checkers keep the signature made from the fields
 
@@ -183,6 +187,13 @@ class Case(CaseTable):
         for name in ("traction", "steering"):
             if getattr(self, name) is not None and not self.described_vehicle().drives:
                 raise ValueError(f"{name} given: vehicle {self.described_vehicle().name} has no drives")
+        return self
+
+    @model_validator(mode="after")
+    def _check_brake(self) -> Self:
+        """The braked wheels are there."""
+        if self.brake is not None:
+            self.brake.thrusts(self.described_vehicle())
         return self
 
     @property

@@ -183,11 +183,13 @@ def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) 
         ("wheel", "Q [kN]", "Y [kN]", "Y/Q [-]", "angle\u00a0of attack [mrad]", "lateral position [mm]",
          "p_max [MPa]", "wear number [N]", "FI>0 [%]"),
     )  # fmt: skip
+    several = len({row.vehicle for row in rows}) > 1
     for row in rows:
+        unit = f"{row.vehicle}." if several else ""
         of_wheelset = (f"{row.angle_of_attack * 1e3:.2f}", f"{row.lateral * 1e3:.2f}")
         for i, side in enumerate("LR"):
             table.add_row(
-                f"{row.wheelset}{side}",
+                f"{unit}{row.wheelset}{side}",
                 f"{row.Q[i] * 1e-3:.1f}",
                 f"{row.Y[i] * 1e-3:.1f}",
                 f"{row.y_over_q[i]:.3f}",

@@ -112,8 +112,8 @@ def uniform_cuboid(mass: float, inertia: tuple[float, float, float]) -> NDArray[
 
 
 def _outline(vehicle: Vehicle, body: Body) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:
-    """The car body by the lengths of the description, of a vehicle that has one car body and gives them."""
-    if sum(other.kind == "car_body" for other in vehicle.bodies) > 1:
+    """The car body by the lengths of the description, of a vehicle that gives them for each of its units."""
+    if sum(other.kind == "car_body" for other in vehicle.bodies) > len(vehicle.units):
         return None
     given = vehicle.dimensions
     length = given.get("basket_length", given.get("body_length", given.get("length")))

@@ -59,6 +59,7 @@ class Ledger(IntEnum):
     FRICTION_POWER = 3
     DAMPER_POWER = 4
     DRIVE_POWER = 5  # given by the drives, positive in traction
+    BRAKE_POWER = 6  # taken by brake shoes
 
 
 SLIDERS = 4  # slider coordinates reserved for each coupling
@@ -95,6 +96,17 @@ class Drives(NamedTuple):
     torque: FloatArray  # (drives,) on the wheelset about its axle, forwards [N m]; a controller writes it
 
 
+class Brakes(NamedTuple):
+    """Brake shoes on wheel treads, pressed by bodies that carry them; none where no brake is ordered."""
+
+    bodies: IntArray  # (shoes, 2) body numbers of wheelset and carrier
+    point: FloatArray  # (shoes, 3) of the shoe in the axes of its carrier [m]
+    thrust: FloatArray  # (shoes,) of the brake fully applied [N]
+    friction: FloatArray  # (shoes,)
+    start: float  # when the brake is applied [s]
+    build_up: float  # time in which its thrust rises to the full one [s]
+
+
 class SystemModel(NamedTuple):
     """Everything constant about a vehicle on a track."""
 
@@ -113,6 +125,7 @@ class SystemModel(NamedTuple):
     track_mass: FloatArray  # (TRACK_COORDINATES,) [kg], [kg m^2]
     train: Train
     drives: Drives
+    brakes: Brakes
 
 
 class Workspace(NamedTuple):

@@ -49,10 +49,10 @@ def wagon_dimensions(vehicle: Vehicle) -> WagonDimensions:
     Raises
     ------
     ValueError
-        The description lacks a length, or one of the bodies car_body, bolster_1, side_frame_1L.
+        The description lacks a length, or has no car body, no bolster or no side frame.
     """
-    bodies = {body.name: body for body in vehicle.bodies}
-    missing = sorted({"car_body", "bolster_1", "side_frame_1L"} - set(bodies))
+    bodies = {body.kind: body for body in vehicle.bodies}
+    missing = sorted({"car_body", "bolster", "side_frame"} - set(bodies))
     wanted = {field.name for field in fields(WagonDimensions)}
     heights = {"car_body_height", "bolster_height", "side_frame_height", "running_circle_distance"}
     missing += sorted(wanted - heights - set(vehicle.dimensions))
@@ -63,6 +63,6 @@ def wagon_dimensions(vehicle: Vehicle) -> WagonDimensions:
     return WagonDimensions(
         **{name: vehicle.dimensions[name] for name in wanted & set(vehicle.dimensions)},
         car_body_height=bodies["car_body"].position[2],
-        bolster_height=bodies["bolster_1"].position[2],
-        side_frame_height=bodies["side_frame_1L"].position[2],
+        bolster_height=bodies["bolster"].position[2],
+        side_frame_height=bodies["side_frame"].position[2],
     )

@@ -3,7 +3,8 @@
 Entities: ``world/track/<piece>/{rails,bed,sleepers}`` (static), ``world/vehicle`` (the moving frame, on
 the centre line below the car body), ``world/vehicle/<body>``, ``world/vehicle/contact/<wheel>/force`` and
 ``.../patch``, ``plots/<quantity>/<wheel>``, ``shakedown/**``. Wheels are named by wheelset and side, "1L"
-leads. Timelines: ``sim_time`` and ``track_mm``, the arc length of the car body.
+leads, of several units with theirs before it, "2.1L". Timelines: ``sim_time`` and ``track_mm``, the arc
+length of the leading car body.
 """
 
 from collections.abc import Mapping
@@ -42,7 +43,7 @@ from vehicles.description import Vehicle
 from vehicles.stored import from_json
 
 APPLICATION = "hh_exudyn"
-FRAME_BODY = "car_body"  # the moving frame follows this body
+FRAME_BODY = "car_body"  # the moving frame follows the first body whose name begins so
 SIGHT = 150.0  # track drawn before and behind the wagon's way [m]
 
 
@@ -85,11 +86,12 @@ def scene(case: Case, described: Vehicle | None = None) -> Scene:
         The vehicle is not described with the lengths of an ore wagon.
     """
     tread = np.column_stack([case.wheel.y, case.wheel.z])
-    shapes = wagon_shapes(wagon_dimensions(described or case.described_vehicle()), tread)
+    wagon = described or case.described_vehicle()
+    shapes = wagon_shapes(wagon_dimensions(wagon), tread, len(wagon.units))
     return Scene(shapes, case.alignment(), case.track.rail_course(LEFT), case.track.rail_course(RIGHT))
 
 
-def record(run: Run, path: Path | str, *, every: int = 1, vehicle: int = 1) -> Path:
+def record(run: Run, path: Path | str, *, every: int = 1, vehicle: int | None = None) -> Path:
     """Write a run as a recording with its blueprint (`.rrd`), and return its path.
 
     Parameters
@@ -101,7 +103,7 @@ def record(run: Run, path: Path | str, *, every: int = 1, vehicle: int = 1) -> P
     every
         Only every n-th output time is taken, from 1.
     vehicle
-        Number of the vehicle in the run.
+        Number of the vehicle in the run whose wheels are shown; None: all.
 
     Raises
     ------
@@ -134,7 +136,7 @@ def record_tables(
     *,
     name: str = "run",
     every: int = 1,
-    vehicle: int = 1,
+    vehicle: int | None = None,
 ) -> Path:
     """As `record`, from the two logs as tables and a scene."""
     target = Path(path)
@@ -162,15 +164,16 @@ def send(
     scene: Scene,
     *,
     every: int = 1,
-    vehicle: int = 1,
+    vehicle: int | None = None,
 ) -> None:
     """Send a run into any recording stream: a file, or a viewer that listens. Errors as `record`."""
     if every < 1:
         raise ValueError(f"every = {every} must be at least 1")
     bodies = _bodies(motion, every)
-    if FRAME_BODY not in bodies:
+    leader = next((body for body in bodies if body.startswith(FRAME_BODY)), None)
+    if leader is None:
         raise ValueError(f"the motion log has no body {FRAME_BODY}; it has {', '.join(bodies)}")
-    times, s = bodies[FRAME_BODY]["time"], bodies[FRAME_BODY]["s"]
+    times, s = bodies[leader]["time"], bodies[leader]["s"]
     when = clock(times, s)
     frame = moving_frame(scene.alignment, s)
 
@@ -184,7 +187,7 @@ def send(
     send_poses(stream, "world/vehicle", when, frame)
     for body, columns in bodies.items():
         if not np.array_equal(columns["time"], times):
-            raise ValueError(f"the motion log has body {body} at other times than {FRAME_BODY}")
+            raise ValueError(f"the motion log has body {body} at other times than {leader}")
         send_poses(stream, f"world/vehicle/{body}", when, relative(body_poses(columns), frame))
     _send_wheels(stream, _thinned(contact, times, every), scene, frame, times, s, vehicle)
 
@@ -196,12 +199,13 @@ def _send_wheels(
     frame: Poses,
     times: FloatArray,
     s: FloatArray,
-    vehicle: int,
+    vehicle: int | None,
 ) -> None:
     """All that comes from the contact log."""
     when = clock(times, s)
     send_diagram(stream)
-    for wheel in wheel_rows(contact, times, vehicle):
+    shown = np.unique(contact["vehicle"].to_numpy()).tolist() if vehicle is None else [vehicle]
+    for wheel in (wheel for number in shown for wheel in wheel_rows(contact, times, number)):
         rail = scene.rail_left if wheel.side == LEFT else scene.rail_right
         send_contact(stream, when, wheel, scene.alignment, rail, frame)
         send_series(stream, when, wheel, scene.shear_yield)

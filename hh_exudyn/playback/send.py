@@ -135,9 +135,16 @@ def _heat(share: FloatArray) -> NDArray[np.uint8]:
     )
 
 
+def _colour(wheel: str) -> tuple[int, ...]:
+    """Of a wheel by its name; darker from the second unit on."""
+    unit, _, name = wheel.rpartition(".")
+    colour = WHEEL_COLOURS.get(name, OTHER_COLOUR)
+    return colour if unit in ("", "1") else tuple(2 * part // 3 for part in colour)
+
+
 def send_series(stream: rr.RecordingStream, when: Clock, wheel: WheelRows, shear_yield: float) -> None:
     """The plotted quantities of a wheel."""
-    colour = WHEEL_COLOURS.get(wheel.name, OTHER_COLOUR)
+    colour = _colour(wheel.name)
     for key, values in series(wheel, shear_yield).items():
         entity = f"plots/{key}/{wheel.name}"
         stream.log(entity, rr.SeriesLines(colors=[colour], names=[wheel.name], widths=[1.6]), static=True)
@@ -150,7 +157,7 @@ def send_diagram_points(
     """The working points of a wheel's patches in the shakedown diagram (which is y-down)."""
     friction, pressure = diagram_points(wheel, shear_yield)
     entity = f"shakedown/points/{wheel.name}"
-    colour = WHEEL_COLOURS.get(wheel.name, OTHER_COLOUR)
+    colour = _colour(wheel.name)
     stream.log(entity, rr.Points2D.from_fields(colors=[colour], radii=[0.24], draw_order=10.0), static=True)
     stream.send_columns(
         entity,

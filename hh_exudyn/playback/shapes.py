@@ -41,8 +41,11 @@ SPRING_SEAT = 0.235  # height of the spring seat over the rail tops [m]
 SPRING_LENGTH = 0.22
 
 
-def wagon_shapes(size: WagonDimensions, tread: FloatArray) -> dict[str, trimesh.Trimesh]:
+def wagon_shapes(size: WagonDimensions, tread: FloatArray, units: int = 1) -> dict[str, trimesh.Trimesh]:
     """Shapes by entity below the vehicle: the names of the motion log's bodies, and ``car_body/ore``.
+
+    One wagon has a ``car_body``, wagons of several units ``car_body_1`` and so on; bogies and wheelsets are
+    numbered through.
 
     Parameters
     ----------
@@ -50,19 +53,22 @@ def wagon_shapes(size: WagonDimensions, tread: FloatArray) -> dict[str, trimesh.
         Lengths of the wagon; without ore depth there is no heap.
     tread
         (n, 2) wheel profile (y, z) in side coordinates, from the field side to the flange back [m].
+    units
+        Number of car bodies, each with two bogies.
     """
-    shapes = {"car_body": hopper(size)}
+    body = {"": hopper(size)}
     if size.ore_depth > 0.0:
-        shapes["car_body/ore"] = ore_heap(size)
-    for shape in shapes.values():
+        body["/ore"] = ore_heap(size)
+    for shape in body.values():
         shape.apply_translation((0.0, 0.0, -size.car_body_height))
-    for bogie in (1, 2):
-        shapes[f"bolster_{bogie}"] = bolster(size)
-        shapes[f"side_frame_{bogie}L"] = side_frame(size, LEFT)
-        shapes[f"side_frame_{bogie}R"] = side_frame(size, RIGHT)
-    for number in (1, 2, 3, 4):
-        shapes[f"wheelset_{number}"] = wheelset(size, tread)
-    return shapes
+    names = ["car_body"] if units == 1 else [f"car_body_{unit}" for unit in range(1, units + 1)]
+    shapes = {f"{name}{part}": shape for name in names for part, shape in body.items()}
+    cross_member, axle = bolster(size), wheelset(size, tread)
+    frames = {"L": side_frame(size, LEFT), "R": side_frame(size, RIGHT)}
+    for bogie in range(1, 2 * units + 1):
+        shapes[f"bolster_{bogie}"] = cross_member
+        shapes |= {f"side_frame_{bogie}{letter}": frame for letter, frame in frames.items()}
+    return shapes | {f"wheelset_{number}": axle for number in range(1, 4 * units + 1)}
 
 
 def bolster(size: WagonDimensions) -> trimesh.Trimesh:

@@ -32,7 +32,7 @@ class WheelRows:
     Attributes
     ----------
     name
-        Number of the wheelset and side, such as "1L".
+        Number of the wheelset and side, such as "1L"; of several vehicles with theirs before it, "2.1L".
     side
         +1 left, -1 right.
     patches
@@ -72,12 +72,13 @@ def wheel_rows(contact: pyarrow.Table, times: FloatArray, vehicle: int) -> Itera
     strange = times[row] != columns["time"]
     if strange.any():
         raise ValueError(f"the contact log has time {columns['time'][strange][0]} s, the motion log has not")
+    prefix = "" if mine.all() else f"{vehicle}."
     for number in np.unique(columns["wheelset"][mine]):
         for side, letter in ((LEFT, "L"), (RIGHT, "R")):
             index = np.flatnonzero(mine & (columns["wheelset"] == number) & (columns["side"] == side))
             index = index[np.lexsort((columns["patch"][index], row[index]))]
             yield WheelRows(
-                f"{int(number)}{letter}",
+                f"{prefix}{int(number)}{letter}",
                 side,
                 np.bincount(row[index], minlength=len(times)),
                 {name: column[index] for name, column in columns.items()},
