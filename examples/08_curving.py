@@ -2,8 +2,7 @@
 
     python examples/08_curving.py [FOLDER [VEHICLE [RADIUS_M ...]]]
 
-VEHICLE is a name of the catalogue or a vehicle file, the loaded wagon where it is not given. Some five
-minutes; runs that FOLDER (curving) holds already are not repeated. Writes curving.png there.
+VEHICLE: name or file. Some five minutes, less those of runs in FOLDER (curving). Writes curving.png there.
 """
 
 import sys
@@ -46,15 +45,13 @@ def main() -> None:
         run = simulate_once(case, folder / case.name, lambda done, text: print(f"{done:4.0%}", end="\r"))
         found.append(wheelset_summary(run, steady_window(run)))
         for one in found[-1]:
-            attack, position = 1e3 * one.angle_of_attack, 1e3 * one.lateral
-            name = f"  wheelset {one.wheelset} of unit {one.vehicle}"
-            print(f"{name}: attack {attack:.3f} mrad, position {position:.2f} mm")
+            where = f"attack {1e3 * one.angle_of_attack:.3f} mrad, position {1e3 * one.lateral:.2f} mm"
+            print(f"  wheelset {one.wheelset} of unit {one.vehicle}: {where}")
     quantities = {
         label: factor * np.array([[getattr(one, name) for one in of_run] for of_run in found])
         for label, (name, factor) in SHOWN.items()
     }
-    how = f"{demo.speed_km_h:g} km/h, cant deficiency {DEFICIENCY:g} mm"
-    title = f"{Path(vehicle).stem}, left-hand curves, {how}"
+    title = f"{vehicle}, left-hand curves, {demo.speed_km_h:g} km/h, cant deficiency {DEFICIENCY:g} mm"
     curving_figure(title, np.array(radii), quantities).savefig(folder / "curving.png", dpi=150)
 
 

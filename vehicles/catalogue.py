@@ -45,11 +45,19 @@ def _empty() -> ParameterSet:
     return _loaded().replace({"wagon.payload": 0.0}, "derived: empty")
 
 
+def _with_drawbar(unit: Callable[[], ParameterSet]) -> ParameterSet:
+    return ParameterSet("iore_wagon_pair", unit().parameters + load_parameters("iore_drawbar").parameters)
+
+
 VEHICLES: dict[str, Entry] = {
     "iore_wagon_loaded": Entry(_wagon, _loaded, "LKAB iron-ore wagon, one unit, 30 t axle load"),
     "iore_wagon_empty": Entry(_wagon, _empty, "LKAB iron-ore wagon, one unit, without ore"),
-    "iore_wagon_pair_loaded": Entry(_pair, _loaded, "LKAB iron-ore wagon, both units and drawbar, loaded"),
-    "iore_wagon_pair_empty": Entry(_pair, _empty, "LKAB iron-ore wagon, both units and drawbar, empty"),
+    "iore_wagon_pair_loaded": Entry(
+        _pair, partial(_with_drawbar, _loaded), "LKAB iron-ore wagon, both units and drawbar, loaded"
+    ),
+    "iore_wagon_pair_empty": Entry(
+        _pair, partial(_with_drawbar, _empty), "LKAB iron-ore wagon, both units and drawbar, empty"
+    ),
     "suspended_wheelset": Entry(
         suspended_wheelset,
         partial(load_parameters, "suspended_wheelset"),
