@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 from run_tables import table
 
-from hh_exudyn.case import Case
+from hh_exudyn.case import Case, CaseError
+from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.equilibrium import equilibrium
-from hh_exudyn.multibody.model import workspace
+from hh_exudyn.multibody.model import Ledger, workspace
 from hh_exudyn.multibody.simulate import simulate
 from vehicles.catalogue import vehicle
 from vehicles.couplings import Rod
@@ -48,6 +49,36 @@ def test_each_unit_stands_as_a_single_wagon(demo, load):
     pair = wheel_loads(demo, f"iore_wagon_pair_{load}")
     # wheels roll with a small creep for which the couplers pull; it shifts some newtons
     assert pair == pytest.approx(np.vstack([single, single]), abs=2.0)
+
+
+@pytest.mark.parametrize("draft", [400e3, -300e3])
+def test_the_drawbar_passes_on_what_the_train_pulls(demo, draft):
+    """In draft the bar is longer by force over stiffness; loads stay, all couplers are at one height."""
+    case = on_straight(demo, "iore_wagon_pair_loaded", train={"draft_kN": 1e-3 * draft})
+    described = case.described_vehicle()
+    model = assemble(described, case)
+    work = workspace(model)
+    equilibrium(described, model, work)
+    assert abs(work.ledger[Ledger.COUPLER_FORCE]) < 100.0  # what comes in at the front goes out behind
+    rod = next(i for i, c in enumerate(described.couplings) if isinstance(c, Rod))
+    ends = [
+        work.position[body] + work.rotation[body] @ arm
+        for body, arm in (
+            (model.couplings.body_a[rod], model.couplings.point_a[rod]),
+            (model.couplings.body_b[rod], model.couplings.point_b[rod]),
+        )
+    ]
+    bar = described.couplings[rod]
+    assert isinstance(bar, Rod)
+    stretch = np.linalg.norm(ends[1] - ends[0]) - bar.length
+    assert stretch == pytest.approx(draft / bar.stiffness, rel=1e-3)
+    assert -work.rail_force[:, :, 1].sum() == pytest.approx(240e3 * GRAVITY, rel=1e-5)
+    assert -work.rail_force[:, :, 1] == pytest.approx(np.full((8, 2), 30e3 * GRAVITY / 2), rel=0.01)
+
+
+def test_nothing_passes_through_a_locomotive(demo):
+    with pytest.raises(CaseError, match="no force passes through vehicle iore_locomotive"):
+        on_straight(demo, "iore_locomotive", train={"draft_kN": 100.0})
 
 
 def test_the_pair_is_two_wagons_and_a_drawbar():

@@ -1,11 +1,14 @@
-"""The table ``[brake]`` of a case file: how hard the brake shoes of a wagon press.
+"""The tables ``[train]`` and ``[brake]`` of a case file: what its train does to a hauled wagon.
 
 ::
+
+    [train]
+    draft_kN = 300
 
     [brake]
     shoe_force_kN = 15
 
-The train keeps its speed, and pulls the braked wagon at its coupler.
+The train keeps its speed, and pulls the braked wagon at its couplers.
 """
 
 import re
@@ -16,6 +19,21 @@ from hh_exudyn.case_fields import CaseTable, number
 from vehicles.description import Vehicle
 
 _WHEEL = re.compile(r"[1-9]\d*[LR]")
+
+
+class TrainCase(CaseTable):
+    """Force that the train passes on through the vehicle, from its front coupler to its rear one.
+
+    Positive in draft, where the train ahead pulls and the train behind hangs on; below 0 in buff. It points
+    along the track at either coupler, as those of equal wagons do in a full curve.
+    """
+
+    draft_kN: float = number("kN", -2000, 2000)
+
+    def require_through(self, vehicle: Vehicle) -> None:
+        """Raises ValueError for a vehicle without couplers at both ends, or one that pulls its train."""
+        if vehicle.drives or len(vehicle.coupler.points) != 2:
+            raise ValueError(f"train given: no force passes through vehicle {vehicle.name}")
 
 
 class BrakeCase(CaseTable):
