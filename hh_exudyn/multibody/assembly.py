@@ -126,17 +126,15 @@ def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
         rear = min(points)
         points = {rear: points[rear]}
     heads = np.array(list(points))
-    start = start_middle(vehicle) + heads[:, 0]
-    if case.train is not None:  # ahead at the front head, and back at the rear one
-        ends = np.where(heads[:, 0] > heads[:, 0].mean(), 1.0, -1.0)
-        start += ends * 1e3 * case.train.draft_kN * len(heads) / coupler.stiffness
+    draft = 0.0 if case.train is None else 1e3 * case.train.draft_kN
     return Train(
         bodies=np.array([numbers[body] for body in points.values()], dtype=np.int64),
         heads=heads - np.array([vehicle.body(body).position for body in points.values()]),
-        start=start,
+        start=start_middle(vehicle) + heads[:, 0],
         stiffness=coupler.stiffness,
         damping=coupler.damping,
         speed=case.speed,
+        through=draft * np.sign(heads[:, 0]),
         course=np.array([0.0, case.speed]),
     )
 

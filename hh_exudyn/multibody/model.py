@@ -86,6 +86,7 @@ class Train(NamedTuple):
     stiffness: float  # all heads together [N/m]
     damping: float  # [N s/m]
     speed: float  # at the start [m/s]
+    through: FloatArray  # (heads,) force that it passes on through the vehicle, forwards [N]
     course: FloatArray  # (2,) way of the train less its speed times time [m], and its speed [m/s]
 
 

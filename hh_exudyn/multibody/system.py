@@ -131,7 +131,7 @@ def _train_forces(model: SystemModel, work: Workspace, time: float) -> None:
         force = (
             train.stiffness * (train.start[head] + train.course[0] + train.course[1] * time - s)
             + train.damping * (train.course[1] - speed * level)
-        ) / heads
+        ) / heads + train.through[head]
         vector = (force * ahead[0], force * ahead[1], force * ahead[2])
         add_to(work.force[body], vector, 1.0)
         add_to(work.torque[body], cross(arm, vector), 1.0)
