@@ -25,7 +25,8 @@ class TrainCase(CaseTable):
     """Force that the train passes on through the vehicle, from its front coupler to its rear one.
 
     Positive in draft, where the train ahead pulls and the train behind hangs on; below 0 in buff. It points
-    along the track at either coupler, as those of equal wagons do in a full curve.
+    along the track at either coupler, as those of equal wagons do in a full curve. What the vehicle gets
+    longer by loads the springs that keep it in the train, which takes about 1 % off the drawbar's force.
     """
 
     draft_kN: float = number("kN", -2000, 2000)
