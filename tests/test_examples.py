@@ -117,8 +117,8 @@ def test_wheel_life(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_curving(tmp_path: Path) -> None:
     """Tighter curves: the leading wheelset is turned outwards more, and lies further out."""
-    text = run("08_curving.py", tmp_path, "400", "1500")
-    rows = re.findall(r"wheelset 1: attack (\S+) mrad, position (\S+) mm", text)
+    text = run("08_curving.py", tmp_path, "iore_wagon_loaded", "400", "1500")
+    rows = re.findall(r"wheelset 1 of unit 1: attack (\S+) mrad, position (\S+) mm", text)
     (tight_attack, tight_position), (wide_attack, wide_position) = [tuple(map(float, row)) for row in rows]
     assert tight_attack < wide_attack - 0.3  # left-hand curves: outwards is negative
     assert tight_position < wide_position - 0.5 < -1.0
