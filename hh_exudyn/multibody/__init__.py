@@ -14,6 +14,7 @@
 `hunting`            motion in time after a disturbance, nonlinear critical speed
 `stability`          the largest time step that the explicit integration bears
 `control`            controllers in the loop: driver and steering of a vehicle with drives
+`brakes`             shoes on the treads: thrust, friction, reaction on the side frames
 `watch`              reasons to stop a run
 `recording`          rows of the logs
 `simulate`           `simulate(case, directory)`
