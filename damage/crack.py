@@ -22,6 +22,7 @@ import pyarrow
 from numpy.typing import ArrayLike
 
 from damage.lateral_grid import LateralGrid, spread
+from damage.miner import KABO_FACTOR
 from damage.rcf_local import LocalFatigue
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import kernel
@@ -91,7 +92,7 @@ KABO = LifeRelation(
     "Kabo",
     "fatigue_index",
     1.0,
-    1.78**4,
+    KABO_FACTOR**4,
     -4.0,
     "specimens on roller, twin-disc and linear rigs",
     "Kabo et al. (2009), in Hossein-Nia (2018), equation 3.18",

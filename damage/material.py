@@ -3,12 +3,10 @@
 The numbers of the grades stand with their sources in ``damage/data/materials.toml``: `material_parameters`.
 """
 
-import functools
 import math
-import tomllib
 from dataclasses import dataclass
-from importlib import resources
 
+from damage.parameters import Parameter, parameters, table_names
 from hh_exudyn.contact.material import STEEL, Material
 
 CRITERIA = {
@@ -28,28 +26,6 @@ _GIVE = {  # what can be asked for, and what a material must be given for it
     "shear_yield": "yield_strength or measured_shear_yield [Pa]",
 }
 _PASCAL = {"MPa": 1e6, "HB": 9.80665e6}  # Brinell hardness is in kgf/mm^2
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """One number of a grade in the data file, with how it is known.
-
-    Attributes
-    ----------
-    value
-        In `unit`.
-    unit
-        Unit of the source.
-    confirmed
-        Whether the number was read on the source's own page; if not, it is from memory or second hand.
-    source
-        Begins with published, derived or assumed.
-    """
-
-    value: float
-    unit: str
-    confirmed: bool
-    source: str
 
 
 @dataclass(frozen=True)
@@ -145,26 +121,12 @@ class WheelMaterial:
         return value
 
 
-@functools.cache
-def _grades() -> dict[str, dict[str, Parameter]]:
-    """The data file, checked."""
-    text = resources.files("damage").joinpath("data/materials.toml").read_text(encoding="utf-8")
-    grades = {
-        grade: {quantity: Parameter(**entry) for quantity, entry in entries.items()}
-        for grade, entries in tomllib.loads(text).items()
-    }
-    for grade, entries in grades.items():
-        for quantity, parameter in entries.items():
-            if parameter.source.split(":", 1)[0] not in ("published", "derived", "assumed"):
-                raise ValueError(f"materials.toml: {grade}.{quantity} does not say how it is known")
-    return grades
-
-
 def material_parameters(name: str) -> dict[str, Parameter]:
     """Numbers of a grade with their sources. Raises ValueError for an unknown one (lists the known)."""
-    if name not in _grades():
-        raise ValueError(f"wheel material {name!r} is not known; known: {', '.join(_grades())}")
-    return dict(_grades()[name])
+    known = table_names("materials")
+    if name not in known:
+        raise ValueError(f"wheel material {name!r} is not known; known: {', '.join(known)}")
+    return parameters("materials", name)
 
 
 def wheel_material(name: str) -> WheelMaterial:

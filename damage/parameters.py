@@ -53,6 +53,11 @@ def _file(name: str) -> dict[str, dict[str, Parameter]]:
     }
 
 
+def table_names(name: str) -> tuple[str, ...]:
+    """The tables of ``damage/data/<name>.toml``."""
+    return tuple(_file(name))
+
+
 def parameters(name: str, table: str) -> dict[str, Parameter]:
     """The parameters of a table of ``damage/data/<name>.toml``, by quantity.
 

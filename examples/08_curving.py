@@ -1,8 +1,8 @@
-"""The loaded wagon in curves of 300 to 2000 m, all with the same cant deficiency.
+"""A vehicle in curves of 300 to 2000 m, all with the same cant deficiency.
 
-    python examples/08_curving.py [FOLDER [RADIUS_M ...]]
+    python examples/08_curving.py [FOLDER [VEHICLE [RADIUS_M ...]]]
 
-Some five minutes; runs that FOLDER (curving) holds already are not repeated. Writes curving.png there.
+VEHICLE: name or file. Some five minutes, less those of runs in FOLDER (curving). Writes curving.png there.
 """
 
 import sys
@@ -30,8 +30,9 @@ SHOWN = {  # label: attribute of a summary, factor
 
 def main() -> None:
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else "curving")
-    radii = sorted(float(word) for word in sys.argv[2:]) or RADII
-    demo = read_case(str(files("hh_exudyn") / "data" / "demo.toml"))
+    vehicle = sys.argv[2] if len(sys.argv) > 2 else "iore_wagon_loaded"
+    radii = sorted(float(word) for word in sys.argv[3:]) or RADII
+    demo = read_case(str(files("hh_exudyn") / "data" / "demo.toml")).with_changes(vehicle=vehicle)
     found = []
     for radius in radii:
         cant = round(1e3 * cant_deficiency(demo.speed, radius) - DEFICIENCY, 1)
@@ -44,13 +45,13 @@ def main() -> None:
         run = simulate_once(case, folder / case.name, lambda done, text: print(f"{done:4.0%}", end="\r"))
         found.append(wheelset_summary(run, steady_window(run)))
         for one in found[-1]:
-            attack, position = 1e3 * one.angle_of_attack, 1e3 * one.lateral
-            print(f"  wheelset {one.wheelset}: attack {attack:.3f} mrad, position {position:.2f} mm")
+            where = f"attack {1e3 * one.angle_of_attack:.3f} mrad, position {1e3 * one.lateral:.2f} mm"
+            print(f"  wheelset {one.wheelset} of unit {one.vehicle}: {where}")
     quantities = {
         label: factor * np.array([[getattr(one, name) for one in of_run] for of_run in found])
         for label, (name, factor) in SHOWN.items()
     }
-    title = f"{demo.vehicle}, left-hand curves, {demo.speed_km_h:g} km/h, cant deficiency {DEFICIENCY:g} mm"
+    title = f"{vehicle}, left-hand curves, {demo.speed_km_h:g} km/h, cant deficiency {DEFICIENCY:g} mm"
     curving_figure(title, np.array(radii), quantities).savefig(folder / "curving.png", dpi=150)
 
 

@@ -38,6 +38,7 @@ from hh_exudyn.case_friction import FrictionCase, FrictionSectionCase, SurfaceCa
 from hh_exudyn.case_rails import read_profile
 from hh_exudyn.case_tables import ContactCase, IntegrationCase, TrackCase
 from hh_exudyn.case_traction import SteeringCase, TractionCase
+from hh_exudyn.case_train import BrakeCase, TrainCase
 from hh_exudyn.case_vehicle import VehicleCase, VehicleField, described, resolved, start_in
 from hh_exudyn.contact.friction import FrictionTable, constant_friction
 from hh_exudyn.contact.given import given_contact_model
@@ -50,6 +51,7 @@ from track.alignment import Alignment
 from vehicles.description import Vehicle
 
 __all__ = [
+    "BrakeCase",
     "Case",
     "CaseError",
     "CentreLineCase",
@@ -65,6 +67,7 @@ __all__ = [
     "SurfaceCase",
     "TrackCase",
     "TractionCase",
+    "TrainCase",
     "TransitionCase",
     "VehicleCase",
     "read_case",
@@ -95,6 +98,8 @@ class Case(CaseTable):
     profile (``"S1002"``) or the path of a profile file. `friction` is one coefficient for all patches, or a
     table where it is not the same everywhere (`hh_exudyn.case_friction`). `traction` and `steering` are for
     vehicles with drives (`hh_exudyn.case_traction`); such a vehicle without the first has the default table.
+    `train` passes a force through a hauled vehicle, `brake` presses the brake shoes of one that has them
+    (`hh_exudyn.case_train`).
 
     Raises
     ------
@@ -112,6 +117,8 @@ class Case(CaseTable):
     integration: IntegrationCase = IntegrationCase()
     traction: TractionCase | None = None
     steering: SteeringCase | None = None
+    train: TrainCase | None = None
+    brake: BrakeCase | None = None
 
     if not TYPE_CHECKING:  # type checkers keep the signature made from the fields
 
@@ -183,6 +190,15 @@ class Case(CaseTable):
         for name in ("traction", "steering"):
             if getattr(self, name) is not None and not self.described_vehicle().drives:
                 raise ValueError(f"{name} given: vehicle {self.described_vehicle().name} has no drives")
+        return self
+
+    @model_validator(mode="after")
+    def _check_hauled(self) -> Self:
+        """The train has two couplers to act on, and the braked wheels are there."""
+        if self.train is not None:
+            self.train.require_through(self.described_vehicle())
+        if self.brake is not None:
+            self.brake.thrusts(self.described_vehicle())
         return self
 
     @property

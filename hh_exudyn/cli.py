@@ -184,11 +184,13 @@ def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) 
         ("wheel", "Q [kN]", "Y [kN]", "Y/Q [-]", "angle\u00a0of attack [mrad]", "lateral position [mm]",
          "p_max [MPa]", "wear number [N]", "FI>0 [%]"),
     )  # fmt: skip
+    several = len({row.vehicle for row in rows}) > 1
     for row in rows:
+        unit = f"{row.vehicle}." if several else ""
         of_wheelset = (number(row.angle_of_attack * 1e3, 2), number(row.lateral * 1e3, 2))
         for i, side in enumerate("LR"):
             table.add_row(
-                f"{row.wheelset}{side}",
+                f"{unit}{row.wheelset}{side}",
                 number(row.Q[i] * 1e-3, 1),
                 number(row.Y[i] * 1e-3, 1),
                 number(row.y_over_q[i], 3),

@@ -56,6 +56,7 @@ def assess(
         Path | None,
         typer.Option(metavar="F.csv", help="Write every section and place to this new file, in SI."),
     ] = None,
+    unit: Annotated[int, typer.Option(metavar="N", help="Of a vehicle of several units, 1 leading.")] = 1,
     section_length_m: Annotated[
         float | None,
         typer.Option(metavar="m", help="Of test sections. [default: 250 on straights, 70 or 100 in curves]"),
@@ -67,7 +68,7 @@ def assess(
             check("--section-length-m", section_length_m, 10.0, 1000.0, "m")
         require_new_figure(figure)
         _require_new_table(table)
-        found = _assessed(folder, section_length_m)
+        found = _assessed(folder, unit, section_length_m)
         _show(found, folder.name)
         if table is not None:
             import pyarrow.csv
@@ -95,13 +96,13 @@ def _require_new_table(path: Path | None) -> None:
         raise Refused(f"--table {path}: there is no folder {path.parent}")
 
 
-def _assessed(folder: Path, section_length: float | None) -> "Assessment":
+def _assessed(folder: Path, unit: int, section_length: float | None) -> "Assessment":
     """The assessment of the run in a folder; a run that cannot be assessed is bad input."""
     from hh_exudyn.assessment.report import assess as assess_run
     from hh_exudyn.log.store import open_run
 
     try:
-        return assess_run(open_run(folder), section_length=section_length)
+        return assess_run(open_run(folder), unit, section_length)
     except (FileNotFoundError, ValueError) as error:
         raise Refused(str(error)) from None
 

@@ -168,8 +168,9 @@ def _figures(done: "Run", report: "DamageReport", distance: float) -> "dict[str,
     if report.model.burstow is not None:
         worst = surface.wheels[int(surface.rcf_number[:, TREAD].max(axis=(1, 2)).argmax())]
         figures["rcf_map.png"] = energy_map_figure(report, worst, distance)
-    if not report.bad_rows.count:  # it reads the log itself
-        figures["shakedown.png"] = shakedown_figure(done, report.model.material)
+    figures["shakedown.png"] = shakedown_figure(
+        done, report.model.material, skip_bad_rows=report.bad_rows.count > 0
+    )
     return figures
 
 
@@ -216,7 +217,10 @@ def _table_of(title: str, table: "pyarrow.Table", columns: Columns) -> Table:
     """A line per wheel; the file has more columns. What wear law or steel do not give is not there."""
     shown = {name: column for name, column in columns.items() if name in table.column_names}
     lines = new_table(title, ("wheel", *(heading for heading, _, _ in shown.values())))
-    for row in table.to_pylist():
+    rows = table.to_pylist()
+    several = len({row["vehicle"] for row in rows}) > 1
+    for row in rows:
+        unit = f"{row['vehicle']}." if several else ""
         cells = (f"{row[name] * factor:{form}}" for name, (_, factor, form) in shown.items())
-        lines.add_row(f"{row['wheelset']}{'L' if row['side'] > 0 else 'R'}", *cells)
+        lines.add_row(f"{unit}{row['wheelset']}{'L' if row['side'] > 0 else 'R'}", *cells)
     return lines

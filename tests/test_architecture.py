@@ -35,11 +35,12 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     ),
     "hh_exudyn.case_vehicle": ("vehicles", "hh_exudyn.case_fields"),
     "hh_exudyn.case_traction": ("vehicles", "hh_exudyn.case_fields"),
+    "hh_exudyn.case_train": ("vehicles", "hh_exudyn.case_fields"),
     "hh_exudyn.case": (
         "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.case_errors", "hh_exudyn.case_tables",
         "hh_exudyn.case_fields", "hh_exudyn.case_alignment",
         "hh_exudyn.case_friction", "hh_exudyn.case_rails", "hh_exudyn.case_vehicle",
-        "hh_exudyn.case_traction",
+        "hh_exudyn.case_traction", "hh_exudyn.case_train",
     ),
     "hh_exudyn.case_line": ("track", "hh_exudyn.case"),
     "hh_exudyn.multibody": ("hh_exudyn.case", "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.log"),

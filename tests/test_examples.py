@@ -117,8 +117,8 @@ def test_wheel_life(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_curving(tmp_path: Path) -> None:
     """Tighter curves: the leading wheelset is turned outwards more, and lies further out."""
-    text = run("08_curving.py", tmp_path, "400", "1500")
-    rows = re.findall(r"wheelset 1: attack (\S+) mrad, position (\S+) mm", text)
+    text = run("08_curving.py", tmp_path, "iore_wagon_loaded", "400", "1500")
+    rows = re.findall(r"wheelset 1 of unit 1: attack (\S+) mrad, position (\S+) mm", text)
     (tight_attack, tight_position), (wide_attack, wide_position) = [tuple(map(float, row)) for row in rows]
     assert tight_attack < wide_attack - 0.3  # left-hand curves: outwards is negative
     assert tight_position < wide_position - 0.5 < -1.0
@@ -153,6 +153,24 @@ def test_locomotive(tmp_path: Path) -> None:
     assert slips["on"] < 5.0
     assert slips["off"] > 50.0
     assert sorted(path.name for path in tmp_path.glob("*.png")) == ["efforts.png", "off.png", "on.png"]
+
+
+def test_friction_loops(tmp_path: Path) -> None:
+    """Every element of the bogie takes energy out of its cycle, as much as its loop encloses."""
+    picture = tmp_path / "loops.png"
+    text = run("10_friction_loops.py", picture)
+    found = re.findall(
+        r"^(\S.*\S) +(-?[\d.]+) J around the loop, +(-?[\d.]+) J dissipated$", text, re.MULTILINE
+    )
+    loops = {title: (float(area), float(dissipated)) for title, area, dissipated in found}
+    assert len(loops) == len(text.splitlines()) == 9
+    for area, dissipated in loops.values():
+        assert area > 1.0
+        assert area == pytest.approx(dissipated, rel=0.01, abs=0.1)
+    assert loops["springs and wedges of a side"][0] == pytest.approx(
+        2 * loops["wedge, vertical"][0], rel=0.02
+    )
+    assert picture.stat().st_size > 10_000
 
 
 @pytest.mark.slow

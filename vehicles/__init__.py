@@ -6,7 +6,7 @@
 `soundness`           what no part of a vehicle may have
 `parameters`          parameter files, in which every number has its unit and its source
 `three_piece_bogie`   bolster, side frames, wheelsets and what couples them
-`wagon`               the LKAB iron-ore wagon
+`wagon`               the LKAB iron-ore wagon, one unit or the pair with drawbar
 `suspended_wheelset`  reference: the smallest model that hunts, with its closed form
 `cooperrider`         reference: Cooperrider's bogie
 `manchester`          reference: vehicle 1 of the Manchester benchmarks

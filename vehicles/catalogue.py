@@ -17,7 +17,7 @@ from vehicles.locomotive import iore_locomotive
 from vehicles.manchester import manchester_vehicle_1
 from vehicles.parameters import ParameterSet, load_parameters
 from vehicles.suspended_wheelset import suspended_wheelset
-from vehicles.wagon import ore_wagon
+from vehicles.wagon import ore_wagon, ore_wagon_pair
 
 
 @dataclass(frozen=True)
@@ -33,6 +33,10 @@ def _wagon(name: str, p: ParameterSet) -> Vehicle:
     return ore_wagon(name, p, p["wagon.payload"])
 
 
+def _pair(name: str, p: ParameterSet) -> Vehicle:
+    return ore_wagon_pair(name, p, p["wagon.payload"])
+
+
 def _loaded() -> ParameterSet:
     return load_parameters("iore_wagon")
 
@@ -41,9 +45,19 @@ def _empty() -> ParameterSet:
     return _loaded().replace({"wagon.payload": 0.0}, "derived: empty")
 
 
+def _with_drawbar(unit: Callable[[], ParameterSet]) -> ParameterSet:
+    return ParameterSet("iore_wagon_pair", unit().parameters + load_parameters("iore_drawbar").parameters)
+
+
 VEHICLES: dict[str, Entry] = {
     "iore_wagon_loaded": Entry(_wagon, _loaded, "LKAB iron-ore wagon, one unit, 30 t axle load"),
     "iore_wagon_empty": Entry(_wagon, _empty, "LKAB iron-ore wagon, one unit, without ore"),
+    "iore_wagon_pair_loaded": Entry(
+        _pair, partial(_with_drawbar, _loaded), "LKAB iron-ore wagon, both units and drawbar, loaded"
+    ),
+    "iore_wagon_pair_empty": Entry(
+        _pair, partial(_with_drawbar, _empty), "LKAB iron-ore wagon, both units and drawbar, empty"
+    ),
     "suspended_wheelset": Entry(
         suspended_wheelset,
         partial(load_parameters, "suspended_wheelset"),

@@ -104,6 +104,16 @@ class Drive:
 
 
 @dataclass(frozen=True)
+class BrakeShoe:
+    """A shoe that brakes a wheel on its tread; a run says with what force, if any."""
+
+    wheelset: str
+    carrier: str  # body that holds the shoe, and takes up its friction
+    point: Vector  # where it touches the wheel, on the drawing [m]
+    friction: float  # of shoe on tread
+
+
+@dataclass(frozen=True)
 class Vehicle:
     """A vehicle on the drawing. `wheelsets` run from the leading end."""
 
@@ -116,6 +126,7 @@ class Vehicle:
     contact: GivenContact | None = None  # what a case gets whose theory is "given"
     drives: tuple[Drive, ...] = ()  # from the leading wheelset; without, the train pulls the vehicle
     traction: TractionEquipment | None = None  # of the drives
+    shoes: tuple[BrakeShoe, ...] = ()  # of a vehicle braked on its treads
 
     def __post_init__(self) -> None:
         names = [body.name for body in self.bodies]
@@ -124,6 +135,7 @@ class Vehicle:
         wanted = {name for coupling in self.couplings for name in (coupling.body_a, coupling.body_b)}
         wanted |= {wheelset.body for wheelset in self.wheelsets} | set(self.coupler.bodies)
         wanted |= {body for drive in self.drives for body in (drive.wheelset, drive.motor)}
+        wanted |= {body for shoe in self.shoes for body in (shoe.wheelset, shoe.carrier)}
         if unknown := wanted - set(names):
             raise ValueError(f"vehicle {self.name}: no body named {', '.join(sorted(unknown))}")
         spinning = {wheelset.body for wheelset in self.wheelsets}
@@ -145,11 +157,32 @@ class Vehicle:
                     f"vehicle {self.name}: {type(c).__name__} {c.name} is fixed to its spinning wheelset at "
                     f"{end} m; it must be on the axle's centre line, x = {axle[0]:g} m, z = {axle[2]:g} m"
                 )
-        require_sound((*self.bodies, *self.couplings, *self.wheelsets, self.coupler))
+        for shoe in self.shoes:
+            if shoe.wheelset not in spinning or shoe.carrier in spinning:
+                raise ValueError(
+                    f"vehicle {self.name}: a brake shoe of {shoe.carrier} on {shoe.wheelset}; it must press "
+                    "a wheelset, from a body that is none"
+                )
+        require_sound((*self.bodies, *self.couplings, *self.wheelsets, *self.shoes, self.coupler))
 
     def body(self, name: str) -> Body:
         """The body of that name."""
         return next(body for body in self.bodies if body.name == name)
+
+    @property
+    def units(self) -> tuple[int, ...]:
+        """Numbers of its units, from the leading one; they are the logs' vehicles."""
+        return tuple(dict.fromkeys(wheelset.unit for wheelset in self.wheelsets))
+
+    def unit_of(self, body: str) -> int:
+        """The unit that a body belongs to: the one whose wheelsets' middle is nearest to it."""
+        place = self.body(body).position[0]
+
+        def distance(unit: int) -> float:
+            own = [self.body(w.body).position[0] for w in self.wheelsets if w.unit == unit]
+            return abs(place - sum(own) / len(own))
+
+        return min(self.units, key=distance)
 
     @property
     def mass(self) -> float:

@@ -75,8 +75,7 @@ def coupling_ends(coupling: Coupling) -> list[Vector]:
 
 def _outline(vehicle: Vehicle, body: Body) -> tuple[FloatArray, FloatArray] | None:
     """The car body by the lengths of the description, of a vehicle that gives them for each of its units."""
-    units = len({wheelset.unit for wheelset in vehicle.wheelsets})
-    if sum(other.kind == "car_body" for other in vehicle.bodies) > units:
+    if sum(other.kind == "car_body" for other in vehicle.bodies) > len(vehicle.units):
         return None
     given = vehicle.dimensions
     length = given.get("basket_length", given.get("body_length"))

@@ -3,7 +3,7 @@
 import math
 
 from vehicles.couplings import AxleBox, CentrePlate, Coupling, SideBearer, SpringNest, Vector, Wedge
-from vehicles.description import Body, Wheelset
+from vehicles.description import Body, BrakeShoe, Wheelset
 from vehicles.parameters import ParameterSet
 
 SIDES = ((1, "L"), (-1, "R"))
@@ -51,9 +51,25 @@ def wheelset_name(bogie: int, end: int) -> str:
     return f"wheelset_{2 * bogie - (1 if end > 0 else 0)}"
 
 
-def bogie_wheelsets(p: ParameterSet, number: int) -> tuple[Wheelset, ...]:
-    """The two wheelsets of a bogie, leading first."""
-    return tuple(Wheelset(wheelset_name(number, end), number, p["wheelset.radius"]) for end in (1, -1))
+def bogie_wheelsets(p: ParameterSet, number: int, unit: int, of_unit: int) -> tuple[Wheelset, ...]:
+    """The two wheelsets of a bogie, leading first: the bogie `of_unit` of a unit, from 1."""
+    return tuple(Wheelset(wheelset_name(number, end), of_unit, p["wheelset.radius"], unit) for end in (1, -1))
+
+
+def bogie_shoes(p: ParameterSet, number: int, middle: float) -> tuple[BrakeShoe, ...]:
+    """The brake shoes of a bogie, one for each wheel, on the side towards the bogie's middle.
+
+    The brake beams, on which the shoes sit, slide in the side frames and are spread against each other; so a
+    side frame takes up the friction of its shoes, and their thrusts balance in it.
+    """
+    shoes = []
+    for end in (1, -1):
+        x = middle + end * (p["wheelset.wheelbase"] / 2 - p["wheelset.radius"])
+        for side, letter in SIDES:
+            point = (x, side * p["brake_shoe.lateral_position"], p["wheelset.radius"])
+            wheelset, side_frame = wheelset_name(number, end), f"side_frame_{number}{letter}"
+            shoes.append(BrakeShoe(wheelset, side_frame, point, p["brake_shoe.friction"]))
+    return tuple(shoes)
 
 
 def bogie_couplings(p: ParameterSet, number: int, middle: float, car_body: str) -> tuple[Coupling, ...]:

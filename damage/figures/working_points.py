@@ -16,7 +16,10 @@ _FLANGE_COLOUR = "#2b5c8a"
 
 
 def shakedown_figure(
-    run: ContactSource, material: WheelMaterial = ER7, flange_angle: float = FLANGE_ANGLE
+    run: ContactSource,
+    material: WheelMaterial = ER7,
+    flange_angle: float = FLANGE_ANGLE,
+    skip_bad_rows: bool = False,
 ) -> Figure:
     """Working points of a contact log in the shakedown diagram of a point contact in full slip.
 
@@ -28,8 +31,10 @@ def shakedown_figure(
         The wheel steel.
     flange_angle
         Contact angle above which a contact counts as flange contact [rad].
+    skip_bad_rows
+        Leave out rows that no contact can have; else they are refused.
     """
-    points = working_points(run, material.shear_yield, flange_angle)
+    points = working_points(run, material.shear_yield, flange_angle, skip_bad_rows)
     tread = ~points.flange
     figure = Figure(figsize=(5.0, 4.0), layout="constrained")
     axes = figure.subplots()

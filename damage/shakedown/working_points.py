@@ -6,7 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from damage.contact_states import ContactSource, contact_chunks
+from damage.bad_rows import BadRows
+from damage.contact_source import ContactSource
+from damage.contact_states import DAMAGE_COLUMNS, contact_chunks
 
 
 @dataclass(frozen=True)
@@ -61,7 +63,9 @@ def working_point(
     return utilised, np.asarray(max_pressure, dtype=np.float64) / shear_yield
 
 
-def working_points(source: ContactSource, shear_yield: float, flange_angle: float) -> WorkingPoints:
+def working_points(
+    source: ContactSource, shear_yield: float, flange_angle: float, skip_bad_rows: bool = False
+) -> WorkingPoints:
     """Working points of a whole contact log.
 
     Parameters
@@ -72,10 +76,14 @@ def working_points(source: ContactSource, shear_yield: float, flange_angle: floa
         Yield strength in pure shear k [Pa].
     flange_angle
         Contact angle above which a contact is on the flange [rad].
+    skip_bad_rows
+        Leave out rows that no contact can have, the same as `damage.accumulate` does; else they are refused.
     """
     wanted = ("time", "force_x", "force_y", "normal_force", "p_max", "contact_angle")
+    columns = DAMAGE_COLUMNS if skip_bad_rows else wanted  # a row may be bad in any of them
+    bad_rows = BadRows() if skip_bad_rows else None
     utilised, pressure, flange = [], [], []
-    for chunk in contact_chunks(source, wanted):
+    for chunk in contact_chunks(source, columns, bad_rows=bad_rows):
         point = working_point(
             chunk["force_x"], chunk["force_y"], chunk["normal_force"], chunk["p_max"], shear_yield
         )

@@ -64,15 +64,15 @@ class PointAccelerations:
     vertical: FloatArray
 
 
-def body_places(vehicle: Vehicle) -> list[Place]:
-    """Every car body where each of its bogies carries it: the middle of the couplings to that bogie."""
+def body_places(vehicle: Vehicle, unit: int = 1) -> list[Place]:
+    """The car bodies of a unit where each bogie carries them: the middle of the couplings to that bogie."""
     kind = {body.name: body.kind for body in vehicle.bodies}
     middles: dict[int, list[float]] = {}
-    for wheelset in vehicle.wheelsets:
+    for wheelset in (one for one in vehicle.wheelsets if one.unit == unit):
         middles.setdefault(wheelset.bogie, []).append(vehicle.body(wheelset.body).position[0])
     middle = {bogie: float(np.mean(places)) for bogie, places in middles.items()}
     points: dict[tuple[str, int], list[tuple[float, ...]]] = {}
-    for body_a, body_b, point in _coupled(vehicle):
+    for body_a, body_b, point in _coupled(vehicle, unit):
         if (kind[body_a] == CAR_BODY) == (kind[body_b] == CAR_BODY):
             continue
         body = body_a if kind[body_a] == CAR_BODY else body_b
@@ -84,11 +84,11 @@ def body_places(vehicle: Vehicle) -> list[Place]:
     ]
 
 
-def bogie_places(vehicle: Vehicle) -> list[Place]:
-    """Side frames, or bogie frames, where they rest on their wheelsets."""
+def bogie_places(vehicle: Vehicle, unit: int = 1) -> list[Place]:
+    """The side frames, or bogie frames, of a unit where they rest on their wheelsets."""
     kind = {body.name: body.kind for body in vehicle.bodies}
     points: dict[tuple[str, str], list[tuple[float, ...]]] = {}
-    for body_a, body_b, point in _coupled(vehicle):
+    for body_a, body_b, point in _coupled(vehicle, unit):
         for body, wheelset in ((body_a, body_b), (body_b, body_a)):
             if kind[body] in FRAMES and kind[wheelset] == WHEELSET:
                 points.setdefault((body, wheelset), []).append(point)
@@ -98,11 +98,11 @@ def bogie_places(vehicle: Vehicle) -> list[Place]:
     ]
 
 
-def _coupled(vehicle: Vehicle) -> Iterator[tuple[str, str, tuple[float, ...]]]:
-    """Both bodies and the point of every coupling that acts at one point."""
+def _coupled(vehicle: Vehicle, unit: int) -> Iterator[tuple[str, str, tuple[float, ...]]]:
+    """Both bodies and the point of every coupling of a unit that acts at one point."""
     for coupling in vehicle.couplings:
         point = getattr(coupling, "point", None)  # a rod has two
-        if point is not None:
+        if point is not None and vehicle.unit_of(coupling.body_a) == unit:
             yield coupling.body_a, coupling.body_b, point
 
 

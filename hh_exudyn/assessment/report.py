@@ -233,7 +233,7 @@ def assess(run: Run, vehicle: int = 1, section_length: float | None = None) -> A
     of_vehicle = case.described_vehicle() if kept is None else from_json(kept)
     raw = _sum_y(forces)
     f0 = _peak_frequency(raw, forces.interval)
-    histories = _force_histories(forces, covered) | _acceleration_histories(run, of_vehicle, f0)
+    histories = _force_histories(forces, covered) | _acceleration_histories(run, of_vehicle, vehicle, f0)
     histories["sum_y_rms"] = _in_band(raw, forces.interval, f0)
     known = limits(of_vehicle)
     findings = tuple(finding for section in sections for finding in _findings(section, histories, known))
@@ -286,11 +286,11 @@ def _force_histories(forces: WheelForces, covered: tuple[float, float]) -> dict[
     }
 
 
-def _acceleration_histories(run: Run, vehicle: Vehicle, f0: float) -> dict[str, History]:
+def _acceleration_histories(run: Run, vehicle: Vehicle, unit: int, f0: float) -> dict[str, History]:
     """Of the body in the standard's band and below 20 Hz, of the bogies about f0."""
     how = data()["processing"]
     found = {}
-    over_bogies, over_wheelsets = body_places(vehicle), bogie_places(vehicle)
+    over_bogies, over_wheelsets = body_places(vehicle, unit), bogie_places(vehicle, unit)
     if over_bogies:
         felt = point_accelerations(run, over_bogies)
         interval = float(felt.time[1] - felt.time[0])

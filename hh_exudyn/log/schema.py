@@ -79,6 +79,7 @@ ENERGY = (
     Column("friction_power", "float64", "W", "power taken by the dry-friction elements"),
     Column("damper_power", "float64", "W", "power lost in dampers of vehicle and track"),
     Column("drive_power", "float64", "W", "power that the drives give to wheelsets, less than 0 in braking"),
+    Column("brake_power", "float64", "W", "power lost between brake shoes and wheels"),
     Column("kinetic_energy", "float64", "J", "of all bodies and track masses"),
     Column("potential_energy", "float64", "J", "of gravity; zero at the start"),
 )

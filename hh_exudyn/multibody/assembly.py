@@ -18,6 +18,7 @@ from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
     PARAMETERS,
+    Brakes,
     Couplings,
     Drives,
     Kind,
@@ -81,6 +82,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         track_mass=flexibility.masses(),
         train=_train(vehicle, case, numbers),
         drives=_drives(vehicle, numbers),
+        brakes=_brakes(vehicle, case, numbers),
     )
 
 
@@ -125,6 +127,7 @@ def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
         points = {rear: points[rear]}
     uncoupled = bool(vehicle.drives) and case.traction_or_default.alone
     heads = np.array(list(points))
+    draft = 0.0 if case.train is None else 1e3 * case.train.draft_kN
     return Train(
         bodies=np.array([numbers[body] for body in points.values()], dtype=np.int64),
         heads=heads - np.array([vehicle.body(body).position for body in points.values()]),
@@ -132,6 +135,7 @@ def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
         stiffness=0.0 if uncoupled else coupler.stiffness,
         damping=0.0 if uncoupled else coupler.damping,
         speed=case.speed,
+        through=draft * np.sign(heads[:, 0]),
         course=np.array([0.0, case.speed]),
     )
 
@@ -139,6 +143,24 @@ def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
 def _drives(vehicle: Vehicle, numbers: dict[str, int]) -> Drives:
     bodies = [(numbers[drive.wheelset], numbers[drive.motor]) for drive in vehicle.drives]
     return Drives(np.array(bodies, dtype=np.int64).reshape(-1, 2), np.zeros(len(bodies)))
+
+
+def _brakes(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Brakes:
+    """The shoes that a case presses, each as hard as it says."""
+    order = case.brake
+    thrusts = [] if order is None else order.thrusts(vehicle)
+    shoes = [(shoe, thrust) for shoe, thrust in zip(vehicle.shoes, thrusts, strict=False) if thrust > 0.0]
+    bodies = [(numbers[shoe.wheelset], numbers[shoe.carrier]) for shoe, _ in shoes]
+    points = [np.array(shoe.point) - vehicle.body(shoe.carrier).position for shoe, _ in shoes]
+    given = None if order is None else order.friction
+    return Brakes(
+        bodies=np.array(bodies, dtype=np.int64).reshape(-1, 2),
+        point=np.array(points).reshape(-1, 3),
+        thrust=np.array([thrust for _, thrust in shoes]),
+        friction=np.array([shoe.friction if given is None else given for shoe, _ in shoes]),
+        start=0.0 if order is None else order.start_s,
+        build_up=0.0 if order is None else order.build_up_s,
+    )
 
 
 def _couplings(vehicle: Vehicle, numbers: dict[str, int]) -> Couplings:

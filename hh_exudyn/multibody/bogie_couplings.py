@@ -93,7 +93,7 @@ def wedge(
             v[1],
             stiffness * spring_share * cos_toe,
             tan_slope,
-            friction,
+            math.inf if settle else friction,
             stick_stiffness,
             stick_damping,
         )
@@ -117,6 +117,7 @@ def plate(
     angle: Triple,
     turn: Triple,
     slider: FloatArray,
+    settle: bool,
     new_slider: FloatArray,
     work: Workspace,
 ) -> tuple[Triple, Triple]:
@@ -153,7 +154,7 @@ def plate(
         stick_stiffness,
         stick_damping,
         stick_damping,
-        friction * load,
+        math.inf if settle else friction * load,
     )
     # two thirds of the radius: friction torque of a uniformly loaded flat disc
     arm = 2.0 / 3.0 * radius
@@ -168,7 +169,7 @@ def plate(
         stick_stiffness * arm**2,
         stick_damping * arm**2,
         stick_damping * arm**2,
-        friction * load * arm,
+        math.inf if settle else friction * load * arm,
     )
     work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1] + torque * turn[2]
     shear = math.hypot(d[0], d[1])
@@ -181,7 +182,13 @@ def plate(
 
 @inlined_kernel
 def side_bearer(
-    p: FloatArray, d: Triple, v: Triple, slider: FloatArray, new_slider: FloatArray, work: Workspace
+    p: FloatArray,
+    d: Triple,
+    v: Triple,
+    slider: FloatArray,
+    settle: bool,
+    new_slider: FloatArray,
+    work: Workspace,
 ) -> Triple:
     """Constant-contact side bearer with its solid stop and the friction of its face."""
     preload, stiffness, damping, stop_clearance, stop_stiffness = p[0], p[1], p[2], p[3], p[4]
@@ -203,7 +210,7 @@ def side_bearer(
         stick_stiffness,
         stick_damping,
         stick_damping,
-        friction * load,
+        math.inf if settle else friction * load,
     )
     work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1]
     return force_x, force_y, load

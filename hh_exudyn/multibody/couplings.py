@@ -26,7 +26,9 @@ _AXLE_BOX = int(Kind.AXLE_BOX)
 def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, work: Workspace) -> None:
     """Add the forces of all couplings to `work.force` and `work.torque`; fill `work.new_sliders`.
 
-    With `settle` the wedges' friction in the vertical direction is off, for the static equilibrium.
+    With `settle`, for the static equilibrium, the wedges' friction in the vertical direction is off, and all
+    other friction elements stick, whatever their load: where one is unloaded on the way to the equilibrium,
+    its slider must not leave the middle.
     """
     for i in range(couplings.kind.size):
         a = couplings.body_a[i]
@@ -67,11 +69,12 @@ def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, wor
                 rotation_a,
                 work.rotation[b],
                 sliders[i],
+                settle,
                 work.new_sliders[i],
                 work,
             )
         elif kind == _SIDE_BEARER:
-            force = side_bearer(parameters, displacement, rate, sliders[i], work.new_sliders[i], work)
+            force = side_bearer(parameters, displacement, rate, sliders[i], settle, work.new_sliders[i], work)
         elif kind in (_NEST, _WEDGE, _PLATE, _BUSHING):
             angle = _relative_rotation(rotation_a, work.rotation[b])
             turn = rotate_back(
@@ -98,7 +101,15 @@ def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, wor
                 )
             elif kind == _PLATE:
                 force, moment = plate(
-                    parameters, displacement, rate, angle, turn, sliders[i], work.new_sliders[i], work
+                    parameters,
+                    displacement,
+                    rate,
+                    angle,
+                    turn,
+                    sliders[i],
+                    settle,
+                    work.new_sliders[i],
+                    work,
                 )
             else:
                 force, moment = bushing(parameters, displacement, rate, angle, turn, work)

@@ -152,4 +152,30 @@ def _guess(
             f"{_HEIGHT_RANGE * 1e3:g} mm of the drawing"
         )
     q[heights] += brentq(lack_of_load, -_HEIGHT_RANGE, _HEIGHT_RANGE, xtol=1e-7)
+    for unit in vehicle.units[1:]:
+        _hang_on(vehicle, unit, model, work, q, v)
     return q, v
+
+
+def _hang_on(
+    vehicle: Vehicle, unit: int, model: SystemModel, work: Workspace, q: FloatArray, v: FloatArray
+) -> None:
+    """Move a unit as a whole along the track, to where its drawbar and its coupler hold it.
+
+    The friction between its bodies would give way on the solver's first steps, if that were left to them.
+    """
+    mine = [i for i, body in enumerate(vehicle.bodies) if vehicle.unit_of(body.name) == unit]
+    own = BODY_COORDINATES * np.array(mine)
+    bundle = Bundle(model, work)
+    sliders = np.zeros_like(work.new_sliders)
+
+    def pull(change: float) -> float:
+        moved = q.copy()
+        moved[own] += change
+        evaluate_bundle(bundle, sliders, moved, v, 0.0, True)
+        return float(work.generalized_force[own].sum())
+
+    here = pull(0.0)
+    stiffness = (here - pull(_LENGTH_SCALE)) / _LENGTH_SCALE
+    if stiffness > 0.0:  # a unit that nothing holds stays
+        q[own] += here / stiffness

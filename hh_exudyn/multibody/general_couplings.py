@@ -43,6 +43,7 @@ def axle_box(
     rotation_a: FloatArray,
     rotation_b: FloatArray,
     slider: FloatArray,
+    settle: bool,
     new_slider: FloatArray,
     work: Workspace,
 ) -> tuple[Triple, Triple]:
@@ -64,7 +65,7 @@ def axle_box(
         stiffness[1],
         damping[0],
         damping[1],
-        friction * load,
+        math.inf if settle else friction * load,
     )
     work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1]
     axle = rotate_back(rotation_a, (rotation_b[0, 1], rotation_b[1, 1], rotation_b[2, 1]))

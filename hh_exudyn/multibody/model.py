@@ -59,6 +59,7 @@ class Ledger(IntEnum):
     FRICTION_POWER = 3
     DAMPER_POWER = 4
     DRIVE_POWER = 5  # given by the drives, positive in traction
+    BRAKE_POWER = 6  # taken by brake shoes
 
 
 SLIDERS = 4  # slider coordinates reserved for each coupling
@@ -85,6 +86,7 @@ class Train(NamedTuple):
     stiffness: float  # all heads together [N/m]
     damping: float  # [N s/m]
     speed: float  # at the start [m/s]
+    through: FloatArray  # (heads,) force that it passes on through the vehicle, forwards [N]
     course: FloatArray  # (2,) way of the train less its speed times time [m], and its speed [m/s]
 
 
@@ -93,6 +95,17 @@ class Drives(NamedTuple):
 
     bodies: IntArray  # (drives, 2) body numbers of wheelset and motor
     torque: FloatArray  # (drives,) on the wheelset about its axle, forwards [N m]; a controller writes it
+
+
+class Brakes(NamedTuple):
+    """Brake shoes on wheel treads, pressed by bodies that carry them; none where no brake is ordered."""
+
+    bodies: IntArray  # (shoes, 2) body numbers of wheelset and carrier
+    point: FloatArray  # (shoes, 3) of the shoe in the axes of its carrier [m]
+    thrust: FloatArray  # (shoes,) of the brake fully applied [N]
+    friction: FloatArray  # (shoes,)
+    start: float  # when the brake is applied [s]
+    build_up: float  # time in which its thrust rises to the full one [s]
 
 
 class SystemModel(NamedTuple):
@@ -113,6 +126,7 @@ class SystemModel(NamedTuple):
     track_mass: FloatArray  # (TRACK_COORDINATES,) [kg], [kg m^2]
     train: Train
     drives: Drives
+    brakes: Brakes
 
 
 class Workspace(NamedTuple):

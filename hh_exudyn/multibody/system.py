@@ -1,10 +1,11 @@
-"""Forces of a whole vehicle on its track in one kernel call: couplings, wheels on rails, track, train."""
+"""Forces of a whole vehicle on its track in one kernel call: couplings, rails, track, train, brakes."""
 
 import math
 
 from hh_exudyn.contact.types import FloatArray, Patch
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces
 from hh_exudyn.kernel import Bundle, inlined_kernel, kernel
+from hh_exudyn.multibody.brakes import brake_forces
 from hh_exudyn.multibody.couplings import coupling_forces
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
@@ -43,7 +44,7 @@ def evaluate(
     """Fill `work.generalized_force` for the coordinates q and velocities v (layout: `model`).
 
     Returns 0, or the status of `wheel_rail_forces` (1 + number of the wheel that became NaN, counted
-    1L, 1R, 2L, ...). With `settle` the wedges' vertical friction is off.
+    1L, 1R, 2L, ...). With `settle` friction elements are those of `coupling_forces`.
     """
     for k in range(work.ledger.size):
         work.ledger[k] = 0.0
@@ -51,6 +52,7 @@ def evaluate(
     coupling_forces(model.couplings, sliders, settle, work)
     _train_forces(model, work, time)
     _drive_torques(model, work)
+    brake_forces(model.brakes, work, time)
     _wheelset_states(model, work, q, v)
     status = wheel_rail_forces(
         model.wheel_rail,
@@ -129,7 +131,7 @@ def _train_forces(model: SystemModel, work: Workspace, time: float) -> None:
         force = (
             train.stiffness * (train.start[head] + train.course[0] + train.course[1] * time - s)
             + train.damping * (train.course[1] - speed * level)
-        ) / heads
+        ) / heads + train.through[head]
         vector = (force * ahead[0], force * ahead[1], force * ahead[2])
         add_to(work.force[body], vector, 1.0)
         add_to(work.torque[body], cross(arm, vector), 1.0)

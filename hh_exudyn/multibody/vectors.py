@@ -15,6 +15,12 @@ def cross(a: Triple, b: Triple) -> Triple:
 
 
 @kernel
+def dot(a: Triple, b: Triple) -> float:
+    """Scalar product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@kernel
 def rotate(rotation: FloatArray, a: Triple) -> Triple:
     """Rotation matrix (3, 3) times vector."""
     return (

@@ -1,12 +1,18 @@
 """Wear ratio: what it keeps exactly, and what it tells about the rest."""
 
+from collections.abc import Callable
+
 import numpy as np
+import pyarrow
 import pytest
 
+from damage.accumulate import accumulate
+from damage.model import DamageModel
 from damage.wear.batch import WearDepths, wear_depths
 from damage.wear.laws import wear_law
 from damage.wear.wear_ratio import WearRatio
 
+MakeLog = Callable[..., pyarrow.Table]
 ENERGY = np.array([[0.0, 2.0, 4.0, 1.0], [0.0, 1.0, 3.0, 0.0]])
 DEPTH = np.array([[0.0, 6.0, 4.0, 2.0], [0.0, 6.0, 10.0, 0.0]])
 
@@ -71,6 +77,16 @@ def test_bad_steps_are_refused() -> None:
         ratio.error([1.0, 1.0], [0.0, 0.0])
     with pytest.raises(ValueError, match="on 2 and 1 positions"):
         ratio + WearRatio.learn([1.0], [1.0])
+
+
+def test_a_wheel_surface_is_learnt_from_as_it_is(make_log: MakeLog) -> None:
+    """Depth (W, B) and energy per area (W, B) of the sums have one shape: the learnt
+    ratio gives back the depths."""
+    surface = accumulate(make_log(a=6e-3, b=5e-3, normal_force=100e3, nu_x=2e-3), DamageModel())
+    ratio = WearRatio.learn(surface.depth, surface.energy_density.sum(axis=1))
+    np.testing.assert_allclose(
+        ratio.apply(surface.energy_density.sum(axis=1)).sum(axis=0), surface.depth.sum(axis=0), rtol=1e-12
+    )
 
 
 def strips(friction: float) -> WearDepths:

@@ -11,7 +11,7 @@ from hh_exudyn.multibody.model import workspace
 from hh_exudyn.multibody.simulate import simulate
 from hh_exudyn.multibody.stability import LARGEST_STEP, MARGIN, eigenvalues, largest_stable_step
 from vehicles.catalogue import vehicle
-from vehicles.couplings import AxleBoxPad
+from vehicles.couplings import AxleBox
 
 
 @pytest.mark.parametrize(("value", "reach"), [(-5000.0, 2.7853), (-10.0 + 5000.0j, 2.8284)])
@@ -38,7 +38,11 @@ def test_the_wagon_bears_every_step_of_a_case(demo, speed_km_h, step):
 
 
 def test_the_loaded_wagon_moves_as_ore_wagons_do(demo):
-    """Friction stuck: train 0.5 Hz at 70 %, sway near 1 Hz, then nothing below 2 Hz; all damped 4..30 %."""
+    """Friction stuck: train 0.5 Hz at 70 %, sway near 1 Hz, then nothing below 2 Hz; all damped 4..30 %.
+
+    But for bounce and pitch on wedges that stick, 6 and 8 Hz: the damping of faces, pads and coils is 0.001
+    to 0.004 s of their stiffness, their share of the critical so pi f times that; the track adds some.
+    """
     values = values_at(demo, 60.0)
     modes = values[values.imag > 0.0]
     frequency, damping = np.abs(modes) / (2 * np.pi), -modes.real / np.abs(modes)
@@ -49,14 +53,18 @@ def test_the_loaded_wagon_moves_as_ore_wagons_do(demo):
     sway = frequency[body].min()
     assert 0.9 < sway < 1.5
     assert (frequency[body] > 2.0).sum() == body.sum() - 1
-    assert ((damping[body] > 0.04) & (damping[body] < 0.3)).all()
+    stuck = body & (frequency > 5.5)
+    assert np.sort(frequency[stuck]) == pytest.approx([6.2, 8.1], rel=0.03)
+    share = damping[stuck] / (np.pi * frequency[stuck])
+    assert ((share > 0.001) & (share < 0.004)).all()
+    assert ((damping[body & ~stuck] > 0.04) & (damping[body & ~stuck] < 0.3)).all()
 
 
 def test_a_step_too_large_is_refused_before_anything_is_written(demo, runs):
     """Pads a hundred times too stiff for the step."""
     wagon = vehicle(demo.vehicle)
     stiff = [
-        replace(c, stiffness=(*c.stiffness[:2], 100 * c.stiffness[2])) if isinstance(c, AxleBoxPad) else c
+        replace(c, stiffness=(*c.stiffness[:2], 100 * c.stiffness[2])) if isinstance(c, AxleBox) else c
         for c in wagon.couplings
     ]
     with pytest.raises(ValueError, match=r"step_ms = 0\.4 ms: allowed up to 0\.\d+ ms"):

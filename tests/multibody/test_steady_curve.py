@@ -13,7 +13,7 @@ from hh_exudyn.multibody.simulate import simulate
 from track.alignment import inclined_frame, inclined_rotation
 from track.flexibility import track_flexibility
 from vehicles.catalogue import vehicle
-from vehicles.couplings import AxleBoxPad
+from vehicles.couplings import AxleBox
 
 RADIUS, CANT, GAUGE = 450.0, 0.065, 1.445
 UP = np.array([0.0, 0.0, 1.0])
@@ -154,16 +154,23 @@ def test_the_train_pays_for_what_is_lost(demo_run):
 
 
 def test_the_wagon_steers_as_an_ore_wagon(contact):
-    """Leading wheelsets run under-radial on the outer flange, trailing ones near radial and inside them."""
+    """Leading wheelsets run under-radial on the outer flange, trailing ones near radial and inside them.
+
+    How far inside, dry friction says in the trailing bogie. Its plate turns it back to the body's direction
+    with 2/3 mu N R, 13 kN m, as much as its wedges hold against warp: it lozenges, and its last wheelset runs
+    near the middle of the track. With half the friction of the plate that runs 2.6 mm outside of the middle.
+    """
     attack = -wheel_means(contact, "angle_of_attack")[:, 0]  # towards the outer rail in a left-hand curve
     outwards = -wheel_means(contact, "y_wheelset")[:, 0]
     for leading, trailing in ((0, 1), (2, 3)):
         assert 0.3e-3 < attack[leading] < 2e-3  # soft pads and dry rails: 75 % of the way to radial
         assert attack[leading] > attack[trailing]
-        assert outwards[leading] > outwards[trailing] > 0.0
+        assert outwards[leading] > outwards[trailing]
         outer = (contact.wheelset == leading + 1) & (contact.side == -1) & (contact.patch == 0)
         assert contact.contact_angle[outer].mean() > np.radians(15)  # on the flange root
     assert outwards[0] == outwards.max()
+    assert outwards[1] > 4e-3
+    assert abs(outwards[3]) < 4e-3
 
 
 @pytest.mark.parametrize("change", ["damp rails", "stiff pads"])
@@ -172,7 +179,7 @@ def test_damp_rails_and_stiff_pads_steer_worse(demo, runs, contact, change):
     angle of attack is the 2..3 mrad of a bogie whose axles stay nearly parallel.
     """
     couplings = tuple(
-        replace(c, stiffness=tuple(3 * k for k in c.stiffness)) if isinstance(c, AxleBoxPad) else c
+        replace(c, stiffness=tuple(3 * k for k in c.stiffness)) if isinstance(c, AxleBox) else c
         for c in WAGON.couplings
     )
     case, wagon = (

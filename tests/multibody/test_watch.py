@@ -131,11 +131,17 @@ def test_every_trouble_has_a_reason():
 
 
 def straight(case, damping):
-    """20 km/h on 30 m of straight at the largest step, with this damping of the contacts [s/m]."""
+    """20 km/h on 30 m of straight at the largest step, with this damping of the contacts [s/m].
+
+    No sleepers pass: at 9 Hz they meet the pitch of a wagon with stuck wedges, 8 Hz, by 1.5 % of a load.
+    """
     return case.with_changes(
         speed_km_h=20.0,
         integration={"step_ms": 0.5, "output_interval_ms": 0.5},
-        track={"sections": [{"kind": "straight", "length_m": 30.0, "gauge_mm": 1445.0}]},
+        track={
+            "sections": [{"kind": "straight", "length_m": 30.0, "gauge_mm": 1445.0}],
+            "sleeper_passing": False,
+        },
         contact={"damping_s_per_m": damping},
     )
 

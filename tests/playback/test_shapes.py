@@ -188,3 +188,8 @@ def test_a_change_of_rails_is_drawn() -> None:
     for side, low, high, rail in ((1, 0.0, 29.0, wide), (1, 31.0, 60.0, ground), (-1, 0.0, 60.0, wide)):
         assert corner(side, low, high) == pytest.approx(height(rail), abs=3e-4)
     assert height(ground) < corner(1, 29.9, 30.1) < height(wide)
+
+
+def test_a_pair_has_a_shape_for_every_body(tread: np.ndarray) -> None:
+    pair = vehicle("iore_wagon_pair_empty")
+    assert set(vehicle_shapes(pair, tread)) == {body.name for body in pair.bodies}

@@ -1,5 +1,7 @@
 """The ore wagon's description against thesis Table 1-1, and the parameter file's own rules."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -64,3 +66,22 @@ def test_overload_is_refused():
 def test_all_vehicles_can_be_made():
     for name in VEHICLES:
         assert vehicle(name).name == name
+
+
+def test_shoes_press_the_treads_from_within_the_bogies():
+    """One on every wheel, at the height of the axle and its radius away, held by the side frame beside it."""
+    wagon = vehicle("iore_wagon_pair_empty")
+    assert len(wagon.shoes) == 2 * len(wagon.wheelsets)
+    for shoe in wagon.shoes:
+        axle, frame = wagon.body(shoe.wheelset).position, wagon.body(shoe.carrier).position
+        assert abs(shoe.point[0] - axle[0]) == pytest.approx(0.4575)
+        assert shoe.point[2] == axle[2]
+        assert abs(shoe.point[0] - frame[0]) < abs(axle[0] - frame[0])
+        assert shoe.point[1] * frame[1] > 0.0
+
+
+def test_a_shoe_cannot_sit_on_a_wheelset():
+    wagon = vehicle("iore_wagon_loaded")
+    wrong = replace(wagon.shoes[0], carrier="wheelset_2")
+    with pytest.raises(ValueError, match="brake shoe of wheelset_2 on wheelset_1"):
+        replace(wagon, shoes=(wrong,))

@@ -1,6 +1,6 @@
 """Friction loops of a three-piece bogie: force over deflection of each element under its static load.
 
-Usage: python 06_friction_loops.py [PICTURE.png]. Prints what a cycle takes, and draws the loops of the loaded
+Usage: python 10_friction_loops.py [PICTURE.png]. Prints what a cycle takes, and draws the loops of the loaded
 wagon into the picture.
 """
 
