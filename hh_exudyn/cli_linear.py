@@ -45,9 +45,15 @@ def modes(
         float | None, typer.Option(metavar="km/h", help="Speed. [default: the case's]")
     ] = None,
     undamped: Annotated[bool, typer.Option("--undamped", help="Dampers and creep off.")] = False,
+    playback: Annotated[
+        Path | None, typer.Option(metavar="F.rrd", help="Write a mode as a recording to this new file.")
+    ] = None,
+    mode: Annotated[int, typer.Option(metavar="N", help="Which mode, by its number in the table.")] = 1,
 ) -> None:
     """Oscillating modes of a case's vehicle on straight track: frequency, damping, what moves most."""
     with told():
+        if playback is not None and playback.exists():
+            raise Refused(f"--playback {playback}: exists already, allowed is a new file")
         if speed_km_h is not None:
             check("--speed-km-h", speed_km_h, SLOWEST, FASTEST, "km/h")
         vehicle, own = _linear(case)
@@ -61,17 +67,27 @@ def modes(
         kind = ", dampers and creep off" if undamped else ""
         table = new_table(
             f"Modes of {vehicle.vehicle.name} at {speed * 3.6:g} km/h{kind}",
-            ("frequency [Hz]", "damping ratio [%]", "moves most"),
+            ("mode", "frequency [Hz]", "damping ratio [%]", "moves most"),
         )
-        table.columns[2].justify = "left"
-        for mode in found:
+        table.columns[3].justify = "left"
+        for row, each in enumerate(found, 1):
             table.add_row(
-                number(mode.frequency, 4),
-                number(100.0 * mode.damping_ratio, 2),
-                mode.largest(vehicle.names),
+                str(row),
+                number(each.frequency, 4),
+                number(100.0 * each.damping_ratio, 2),
+                each.largest(vehicle.names),
             )
         print_table(table)
         out.print("friction elements stick; a negative damping ratio is a motion that grows")
+        if playback is not None:
+            check("--mode", mode, 1, len(found), "")
+            from hh_exudyn.case import read_case
+            from hh_exudyn.playback.mode import record_mode
+
+            shown = found[mode - 1]
+            name = f"{vehicle.vehicle.name}, mode {mode}: {shown.frequency:.3f} Hz"
+            record_mode(read_case(case), vehicle.vehicle, shown.shape, playback, name=name)
+            out.print(f"recording: {playback}")
 
 
 def critical_speed(

@@ -61,7 +61,8 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
         "hh_exudyn.assessment", "hh_exudyn.figures", "hh_exudyn.log", "hh_exudyn.cli_output",
     ),
     "hh_exudyn.cli_linear": (
-        "hh_exudyn.case", "hh_exudyn.multibody", "hh_exudyn.figures", "hh_exudyn.cli_output",
+        "hh_exudyn.case", "hh_exudyn.multibody", "hh_exudyn.figures", "hh_exudyn.playback",
+        "hh_exudyn.cli_output",
     ),
     "hh_exudyn.cli_vehicle": ("vehicles", "hh_exudyn.figures", "hh_exudyn.cli_output"),
     "hh_exudyn.cli": PACKAGES,

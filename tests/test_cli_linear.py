@@ -41,8 +41,20 @@ def test_modes_are_listed(case):
     code, output = told("modes", case, "--undamped", "--speed-km-h", "72")
     assert code == 0
     assert "Modes of suspended_wheelset at 72 km/h, dampers and creep off" in output
-    frequencies = [float(line.split()[0]) for line in output.splitlines() if "wheelset_1" in line]
+    frequencies = [float(line.split()[1]) for line in output.splitlines() if "wheelset_1" in line]
     assert frequencies == pytest.approx([5.3052, 7.1176, 16.7764], abs=2e-3)
+
+
+def test_a_mode_is_recorded(case, tmp_path):
+    target = tmp_path / "mode.rrd"
+    code, output = told("modes", case, "--undamped", "--playback", target, "--mode", "2")
+    assert code == 0 and f"recording: {target}" in output
+    assert target.stat().st_size > 10_000
+    code, output = told("modes", case, "--undamped", "--playback", target)
+    assert code == 2 and "exists already" in output
+    code, output = told("modes", case, "--undamped", "--playback", tmp_path / "b.rrd", "--mode", "9")
+    assert code == 2 and "--mode 9: allowed 1 to 3" in output
+    assert not (tmp_path / "b.rrd").exists()
 
 
 def test_critical_speed_is_said_and_drawn(case, tmp_path):

@@ -34,6 +34,7 @@ CAB_RAKE = 0.55  # of a locomotive's front, from foot to roof [m]
 SILL_DEPTH = 0.14  # below the walls of a car body [m]
 BOX_TOP = 0.17  # of an axle box over its axle [m]
 INNERMOST = 0.4  # half distance from which couplings are drawn as springs [m]
+KNEE = 0.42  # share of the height from which a front leans back
 SMALLEST_HEIGHT = 1.2  # of a body with roof and windows [m]
 
 
@@ -57,14 +58,16 @@ def car_body(vehicle: Vehicle, body: Body) -> trimesh.Trimesh:
     half = (high[1] - low[1]) / 2
     outline = np.array(  # (y, z) of a cross-section, as shares of half the width and of the height
         [
-            [-1.0, 0.0], [1.0, 0.0], [1.0, 0.80], [0.93, 0.91], [0.70, 0.975], [0.30, 1.0],
-            [-0.30, 1.0], [-0.70, 0.975], [-0.93, 0.91], [-1.0, 0.80],
+            [-1.0, 0.0], [1.0, 0.0], [1.0, KNEE], [1.0, 0.80], [0.93, 0.91], [0.70, 0.975], [0.30, 1.0],
+            [-0.30, 1.0], [-0.70, 0.975], [-0.93, 0.91], [-1.0, 0.80], [-1.0, KNEE],
         ]
     )  # fmt: skip
     middle = (low[1] + high[1]) / 2
     height = high[2] - foot
     section = np.column_stack([middle + half * outline[:, 0], foot + height * outline[:, 1]])
-    back = rake * np.maximum(0.0, outline[:, 1] - 0.42) / 0.58  # the front leans back above its window sill
+    back = (
+        rake * np.maximum(0.0, outline[:, 1] - KNEE) / (1.0 - KNEE)
+    )  # the front leans back above its window sill
     rings = [
         np.column_stack([low[0] + back, section]),
         np.column_stack([np.full(len(back), low[0] + 1.2 * CAB_RAKE), section]),
@@ -94,7 +97,7 @@ def _front_window(
     """A pane on a raked front."""
     rings = []
     for share, width in ((0.50, 0.86), (0.76, 0.80)):
-        x = end - way * rake * (share - 0.42) / 0.58
+        x = end - way * rake * (share - KNEE) / (1.0 - KNEE)
         z = foot + height * share
         rings.append(
             [
