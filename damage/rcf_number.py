@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from damage.burstow import BurstowLimits, remaining
 from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel, kernel
 
 COUNTED, CORRECTED, ENERGY = 0, 1, 2  # columns of the counts and, twice, of the work spaces
 COLUMNS = 4  # the last stays zero: four numbers side by side are one vector of the processor
@@ -61,7 +61,7 @@ def count_work(cells: tuple[int, int], bins_along: int) -> CountWork:
     )
 
 
-@kernel
+@inlined_kernel
 def _judge_strip(
     strip: int,
     image: int,
@@ -74,7 +74,7 @@ def _judge_strip(
     limits: BurstowLimits,
     work: CountWork,
 ) -> None:
-    """Count, corrected count and energy of the cells of a strip at y/b = lateral; `image`: 1 of a mirror image.
+    """Count, corrected count and energy of the cells of a strip at y/b = lateral; image 1 is the mirror's.
 
     Without `counting` there is nothing but energy: no cell is beyond the shear yield.
     """
@@ -99,7 +99,7 @@ def _judge_strip(
         result[n], result[n + 1], result[n + 2], result[n + 3] = count, corrected, energy, 0.0
 
 
-@kernel
+@inlined_kernel
 def _bin_pair(pair: int, half_length: float, bins: Bins, work: CountWork) -> None:
     """Sum the cells of two strips of the same length over each bin along them.
 
@@ -147,7 +147,7 @@ def _bin_pair(pair: int, half_length: float, bins: Bins, work: CountWork) -> Non
         s0, s1, s2, s3, s4, s5, s6, s7 = n0, n1, n2, n3, n4, n5, n6, n7
 
 
-@kernel
+@inlined_kernel
 def _add_row(
     first: int, end: int, weight: float, corrected: float, binned: FloatArray, row: FloatArray
 ) -> None:
