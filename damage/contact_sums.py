@@ -138,11 +138,16 @@ def _add_strips(
     cells_y = work.depth.shape[0]
     width = 2.0 * b / cells_y
     half = 0.5 * width * stretch / step
+    v0, v1, v2, v3 = 0.0, 0.0, 0.0, 0.0  # by regime, side by side as one vector
     for strip in range(cells_y):
-        depth = 0.0
-        for regime in range(REGIMES):
-            depth += work.depth[strip, regime]
-            sums.worn_volume[regime] += work.depth[strip, regime] * width * rolled
+        d0, d1, d2, d3 = (
+            work.depth[strip, 0],
+            work.depth[strip, 1],
+            work.depth[strip, 2],
+            work.depth[strip, 3],
+        )
+        v0, v1, v2, v3 = v0 + d0, v1 + d1, v2 + d2, v3 + d3
+        depth = (d0 + d1) + (d2 + d3)
         depth *= revolutions
         ratchets = revolutions if work.fatigue_index[strip] > 0.0 else 0.0
         damage = kabo_damage(work.fatigue_index[strip]) * revolutions
@@ -153,5 +158,11 @@ def _add_strips(
             sums.depth[place] += depth * covered
             # the depth is normal to the surface, which is wider than its shadow on the lateral coordinate
             sums.worn_area[place] += depth * covered * step / stretch
-            sums.ratchet_revolutions[part, place] += ratchets * covered
-            sums.crack_damage[part, place] += damage * covered
+            if ratchets > 0.0:
+                sums.ratchet_revolutions[part, place] += ratchets * covered
+                sums.crack_damage[part, place] += damage * covered
+    volume = width * rolled
+    sums.worn_volume[0] += v0 * volume
+    sums.worn_volume[1] += v1 * volume
+    sums.worn_volume[2] += v2 * volume
+    sums.worn_volume[3] += v3 * volume
