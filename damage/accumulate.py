@@ -130,7 +130,7 @@ def _block_sums(states: States, wheel: Wheel, model: DamageModel) -> Sums:
     """What the states of a block add to their wheel, summed from zero."""
     zero = WheelSurface.zero((wheel,), model.grid, model.patch_grid)
     counts = np.zeros((*zero.rcf_number.shape[1:], COLUMNS))
-    sums = Sums(*(getattr(zero, name)[0] for name in _SUMMED), counts)
+    sums = Sums(**{name: getattr(zero, name)[0] for name in _SUMMED}, counts=counts)
     elastic, grid, along = model.material.elastic, model.grid, model.patch_grid
     solving = Solving(
         DAMAGE_THEORIES[model.theory],
