@@ -78,22 +78,22 @@ def _judge_strip(
 
     Without `counting` there is nothing but energy: no cell is beyond the shear yield.
     """
-    rigid_x, rigid_y = patch.nu_x - patch.phi * patch.b * lateral, patch.nu_y
-    turn = patch.phi * half_length
+    against_x, against_y = patch.phi * patch.b * lateral - patch.nu_x, -patch.nu_y  # the rigid slip, reversed
+    turn = -patch.phi * half_length
     q_x, q_y, result = fields.q_x[strip], fields.q_y[strip], work.cells[image]
     if not counting:
         for i in range(work.along.size):
-            energy = -(q_x[i] * rigid_x + q_y[i] * (rigid_y + turn * work.along[i]))  # (3.34)
+            energy = q_x[i] * against_x + q_y[i] * (against_y + turn * work.along[i])  # (3.34)
             n = i * COLUMNS
             result[n], result[n + 1], result[n + 2], result[n + 3] = 0.0, 0.0, energy, 0.0
         return
     slip_x, slip_y = fields.slip_x[strip], fields.slip_y[strip]
     square_of_yield = shear_yield * shear_yield
     for i in range(work.along.size):  # no branch, no sum: the compiler makes vectors of it
-        energy = -(q_x[i] * rigid_x + q_y[i] * (rigid_y + turn * work.along[i]))  # (3.34)
+        energy = q_x[i] * against_x + q_y[i] * (against_y + turn * work.along[i])  # (3.34)
         count = 1.0 if q_x[i] * q_x[i] + q_y[i] * q_y[i] > square_of_yield else 0.0  # (3.21)
         left = remaining(energy, limits)
-        slips = slip_x[i] * slip_x[i] + slip_y[i] * slip_y[i] > 0.0
+        slips = (slip_x[i] != 0.0) | (slip_y[i] != 0.0)
         corrected = count * (left if slips else 1.0)
         n = i * COLUMNS
         result[n], result[n + 1], result[n + 2], result[n + 3] = count, corrected, energy, 0.0
