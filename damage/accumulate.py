@@ -27,11 +27,14 @@ from damage.contact_sums import Solving, States, Sums, add_states, work_space
 from damage.model import DamageModel
 from damage.patch_field import DAMAGE_THEORIES
 from damage.rcf import surface_fatigue_index
-from damage.rcf_number import Bins
+from damage.rcf_number import COLUMNS, CORRECTED, COUNTED, ENERGY, Bins
 from damage.wear.energy import wear_number
 from damage.wheel_surface import FLANGE, TREAD, Wheel, WheelSurface
 
 BLOCK_ROWS = 2500  # rows of a block: some 50 ms of work; the sums depend on it in the last digits
+
+_COUNTED = {"rcf_number": COUNTED, "corrected_rcf_number": CORRECTED, "energy": ENERGY}  # columns of `counts`
+_SUMMED = tuple(name for name in Sums._fields if name != "counts")
 
 
 def accumulate(
@@ -109,8 +112,11 @@ def _add_blocks(
 
     def collect() -> None:
         wheel, future = pending.popleft()
-        for whole, share in zip(_sums(surface, wheel), future.result(), strict=True):
-            whole += share
+        block = future.result()
+        for name in _SUMMED:
+            getattr(surface, name)[wheel] += getattr(block, name)
+        for name, column in _COUNTED.items():
+            getattr(surface, name)[wheel] += block.counts[..., column]
 
     for wheel, block in blocks:
         pending.append((wheel, pool.submit(_block_sums, block, surface.wheels[wheel], model)))
@@ -122,7 +128,9 @@ def _add_blocks(
 
 def _block_sums(states: States, wheel: Wheel, model: DamageModel) -> Sums:
     """What the states of a block add to their wheel, summed from zero."""
-    sums = _sums(WheelSurface.zero((wheel,), model.grid, model.patch_grid), 0)
+    zero = WheelSurface.zero((wheel,), model.grid, model.patch_grid)
+    counts = np.zeros((*zero.rcf_number.shape[1:], COLUMNS))
+    sums = Sums(**{name: getattr(zero, name)[0] for name in _SUMMED}, counts=counts)
     elastic, grid, along = model.material.elastic, model.grid, model.patch_grid
     solving = Solving(
         DAMAGE_THEORIES[model.theory],
@@ -135,11 +143,6 @@ def _block_sums(states: States, wheel: Wheel, model: DamageModel) -> Sums:
     )
     add_states(states, solving, work_space(model.cells, along.count), sums)
     return sums
-
-
-def _sums(surface: WheelSurface, wheel: int) -> Sums:
-    """The arrays of one wheel of a surface that the loop over the states adds to."""
-    return Sums(*(getattr(surface, name)[wheel] for name in Sums._fields))
 
 
 def _chunk_sums(

@@ -9,8 +9,8 @@ from damage.burstow import BurstowLimits
 from damage.lateral_grid import spread
 from damage.miner import kabo_damage
 from damage.patch_field import patch_field
-from damage.rcf_local import strip_indices
-from damage.rcf_number import Bins, Counts, CountWork, count_patch, count_work
+from damage.rcf_local import strip_fatigue
+from damage.rcf_number import Bins, CountWork, count_patch, count_work
 from damage.wear.strip_wear import strip_wear
 from damage.wear.values import REGIMES, LawValues
 from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
@@ -40,7 +40,7 @@ class States(NamedTuple):
 
 
 class Sums(NamedTuple):
-    """What the loop adds to: arrays of a `WheelSurface` without the axis of the wheels."""
+    """What the loop adds to: arrays of a `WheelSurface` without the axis of the wheels, and the counts."""
 
     depth: FloatArray  # (B,)
     worn_area: FloatArray  # (B,)
@@ -51,9 +51,7 @@ class Sums(NamedTuple):
     fatigue_revolutions: FloatArray  # (2, B)
     ratchet_revolutions: FloatArray  # (2, B)
     crack_damage: FloatArray  # (2, B)
-    rcf_number: FloatArray  # (2, B, X)
-    corrected_rcf_number: FloatArray  # (2, B, X)
-    energy: FloatArray  # (2, B, X)
+    counts: FloatArray  # (2, B, X, COLUMNS) `WheelSurface`'s rcf_number, corrected_rcf_number and energy
 
 
 class Solving(NamedTuple):
@@ -73,7 +71,6 @@ class Work(NamedTuple):
 
     fields: Fields  # (ny, nx)
     depth: FloatArray  # (ny, REGIMES)
-    stress_index: FloatArray  # (ny,)
     fatigue_index: FloatArray  # (ny,)
     counting: CountWork
 
@@ -84,7 +81,6 @@ def work_space(cells: tuple[int, int], bins_along: int) -> Work:
     return Work(
         Fields(*np.zeros((5, ny, nx))),
         np.zeros((ny, REGIMES)),
-        np.zeros(ny),
         np.zeros(ny),
         count_work(cells, bins_along),
     )
@@ -115,12 +111,11 @@ def add_states(states: States, solving: Solving, work: Work, sums: Sums) -> None
         )  # fmt: skip
         patch_field(solving.theory, patch, states.force_x[row], states.force_y[row], work.fields)
         strip_wear(solving.law, patch, work.fields, speed, radius, work.depth)
-        strip_indices(work.fields, solving.shear_yield, work.stress_index, work.fatigue_index)
+        strip_fatigue(work.fields, solving.shear_yield, patch.friction, work.fatigue_index)
         across = -states.side[row] * stretch
         count_patch(
-            patch, work.fields, work.stress_index, solving.shear_yield, solving.limits, position, across,
-            revolutions, solving.bins, work.counting,
-            Counts(sums.rcf_number[part], sums.corrected_rcf_number[part], sums.energy[part]),
+            patch, work.fields, work.fatigue_index, solving.shear_yield, solving.limits, position, across,
+            revolutions, solving.bins, work.counting, sums.counts[part],
         )  # fmt: skip
         _add_strips(b, stretch, position, across, revolutions, rolled, start, step, part, work, sums)
 
@@ -143,13 +138,18 @@ def _add_strips(
     cells_y = work.depth.shape[0]
     width = 2.0 * b / cells_y
     half = 0.5 * width * stretch / step
+    v0, v1, v2, v3 = 0.0, 0.0, 0.0, 0.0  # by regime, side by side as one vector
     for strip in range(cells_y):
-        depth = 0.0
-        for regime in range(REGIMES):
-            depth += work.depth[strip, regime]
-            sums.worn_volume[regime] += work.depth[strip, regime] * width * rolled
+        d0, d1, d2, d3 = (
+            work.depth[strip, 0],
+            work.depth[strip, 1],
+            work.depth[strip, 2],
+            work.depth[strip, 3],
+        )
+        v0, v1, v2, v3 = v0 + d0, v1 + d1, v2 + d2, v3 + d3
+        depth = (d0 + d1) + (d2 + d3)
         depth *= revolutions
-        ratchets = revolutions if work.stress_index[strip] > 0.0 else 0.0
+        ratchets = revolutions if work.fatigue_index[strip] > 0.0 else 0.0
         damage = kabo_damage(work.fatigue_index[strip]) * revolutions
         middle = (position + across * b * (-1.0 + (2 * strip + 1) / cells_y) - start) / step
         low, high = middle - half, middle + half
@@ -158,5 +158,11 @@ def _add_strips(
             sums.depth[place] += depth * covered
             # the depth is normal to the surface, which is wider than its shadow on the lateral coordinate
             sums.worn_area[place] += depth * covered * step / stretch
-            sums.ratchet_revolutions[part, place] += ratchets * covered
-            sums.crack_damage[part, place] += damage * covered
+            if ratchets > 0.0:
+                sums.ratchet_revolutions[part, place] += ratchets * covered
+                sums.crack_damage[part, place] += damage * covered
+    volume = width * rolled
+    sums.worn_volume[0] += v0 * volume
+    sums.worn_volume[1] += v1 * volume
+    sums.worn_volume[2] += v2 * volume
+    sums.worn_volume[3] += v3 * volume

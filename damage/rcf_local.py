@@ -116,6 +116,55 @@ def strip_indices(
 
 
 @kernel
+def strip_fatigue(fields: Fields, shear_yield: float, friction: float, fatigue_index: FloatArray) -> None:
+    """Largest FI_local of every strip as far as it is above zero, else zero (kernel, trusts its input).
+
+    What the loop over a log needs of `strip_indices`, sooner: where friction times the pressure in a strip's
+    middle, its largest, is below k, no cell can have any.
+
+    Parameters
+    ----------
+    fields
+        Pressure and tractions (ny, nx), from `field_kernel`.
+    shear_yield
+        k [Pa], > 0.
+    friction
+        No |q|/p is above it [-].
+    fatigue_index
+        (ny,) results [-].
+    """
+    cells_y, cells_x = fields.pressure.shape
+    worst = cells_x // 2  # cell with the largest of the strip before
+    for strip in range(cells_y):
+        pressure, q_x, q_y = fields.pressure[strip], fields.q_x[strip], fields.q_y[strip]
+        best = 0.0
+        if _ROUNDED_UP * friction * pressure[cells_x // 2] > shear_yield:
+            # Uphill from there: (|q| - k)/p > best without root and division, which only a better cell takes
+            for direction in (0, -1, 1):
+                cell = worst + direction
+                while 0 <= cell < cells_x:
+                    square = q_x[cell] * q_x[cell] + q_y[cell] * q_y[cell]
+                    needed = shear_yield + best * pressure[cell]
+                    if not square > _ROUNDED_UP * needed * needed:
+                        break
+                    best, worst = (math.sqrt(square) - shear_yield) / pressure[cell], cell  # (3.17)
+                    if direction == 0:
+                        break
+                    cell += direction
+            more = 0  # mostly that is the top, which a sum of comparisons tells fast
+            for cell in range(cells_x):
+                square = q_x[cell] * q_x[cell] + q_y[cell] * q_y[cell]
+                needed = shear_yield + best * pressure[cell]
+                more += 1 if square > _ROUNDED_UP * needed * needed else 0
+            for cell in range(cells_x if more > 0 else 0):
+                square = q_x[cell] * q_x[cell] + q_y[cell] * q_y[cell]
+                needed = shear_yield + best * pressure[cell]
+                if square > needed * needed:
+                    best, worst = (math.sqrt(square) - shear_yield) / pressure[cell], cell  # (3.17)
+        fatigue_index[strip] = best
+
+
+@kernel
 def _states_indices(
     theory: int,
     states: FloatArray,

@@ -164,7 +164,10 @@ class WheelSurface:
         wheels = tuple(sorted(set(self.wheels) | set(other.wheels)))
         total = WheelSurface.zero(wheels, self.grid, self.patch_grid)
         for part in (self, other):
-            place = [wheels.index(wheel) for wheel in part.wheels]
+            if not part.wheels:
+                continue
+            same = part.wheels == wheels  # all in order: no copies
+            place = slice(None) if same else [wheels.index(wheel) for wheel in part.wheels]
             for field in fields(self):
                 values = getattr(part, field.name)
                 if field.name == "max_pressure":

@@ -5,8 +5,10 @@ import pytest
 
 from damage.material import ER7
 from damage.rcf import surface_fatigue_index
-from damage.rcf_local import distributed_index, local_indices
+from damage.rcf_local import distributed_index, local_indices, strip_fatigue
 from hh_exudyn.contact.tangential import traction_field
+from hh_exudyn.contact.theories import THEORIES, field_kernel
+from hh_exudyn.contact.types import Fields, RollingPatch
 
 K = ER7.shear_yield
 TIGHT = {"a": 7.5e-3, "b": 2.9e-3, "normal_force": 142668.0}  # first row of table 3-2
@@ -98,3 +100,26 @@ def test_bad_input(change: dict, message: str) -> None:
         local_indices(**given)
     with pytest.raises(ValueError, match="normal_force must be > 0 N; 1 values are not"):
         distributed_index(0.0, 1.0, 0.0, 1e-3, 1e-3, K)
+
+
+@pytest.mark.parametrize("theory", ["fastrip", "fastsim", "fastsim_elliptic"])
+@pytest.mark.parametrize("cells", [(50, 50), (7, 9)])
+def test_the_loop_finds_the_same_indices_above_zero(theory: str, cells: tuple[int, int]) -> None:
+    """`strip_fatigue` passes over strips and cells by bounds; the batch looks at every cell."""
+    generator = np.random.default_rng(5)
+    rows = 60
+    a, b = generator.uniform(4e-3, 8e-3, (2, rows))
+    load, friction = generator.uniform(40e3, 160e3, rows), generator.uniform(0.1, 0.6, rows)
+    nu_x, nu_y, phi = generator.normal(0.0, 1.0, (3, rows)) * [[1e-3], [2e-3], [0.4]]
+    every = local_indices(a, b, load, nu_x, nu_y, phi, friction, ER7, theory, cells)
+    fields, found = Fields(*np.zeros((5, cells[1], cells[0]))), np.zeros((rows, cells[1]))
+    for i in range(rows):
+        patch = RollingPatch(
+            a[i], b[i], load[i], nu_x[i], nu_y[i], phi[i], friction[i],
+            ER7.elastic.shear_modulus, ER7.elastic.poisson_ratio,
+        )  # fmt: skip
+        field_kernel(THEORIES[theory], patch, fields)
+        strip_fatigue(fields, ER7.shear_yield, friction[i], found[i])
+    np.testing.assert_allclose(found, np.maximum(every.fatigue_index, 0.0), rtol=1e-11, atol=1e-13)
+    np.testing.assert_array_equal(found > 0.0, every.stress_index > 0.0)
+    assert 0.1 < np.mean(found > 0.0) < 0.9

@@ -38,7 +38,7 @@ def test_blocks_add_up_to_the_whole(random_log: pyarrow.Table, monkeypatch: pyte
     whole = surface(random_log, 1)
     monkeypatch.setattr(module, "BLOCK_ROWS", 1)
     pieces = surface(random_log, 1)
-    for name in Sums._fields:
+    for name in (*Sums._fields[:-1], "rcf_number", "corrected_rcf_number", "energy"):
         one, other = getattr(whole, name), getattr(pieces, name)
         np.testing.assert_allclose(other, one, rtol=1e-11, atol=1e-13 * np.abs(one).max())
         assert one.any()
