@@ -30,6 +30,8 @@ def rcf_bins_figure(report: DamageReport, distance: float, vehicle: int | None =
 
     A bar is the mean over its width of the revolutions in which the place was beyond shakedown anywhere along
     the patch (local stress index SI > 0); the outline is that by the global index, FI_surf > 0 of the patch.
+    Partial slip brings cells beyond shakedown where the force of the whole patch does not, so bars stand
+    without outline; a patch with FI_surf > 0 counts over all its width, so outlines stand over bars.
 
     Parameters
     ----------
@@ -54,6 +56,7 @@ def rcf_bins_figure(report: DamageReport, distance: float, vehicle: int | None =
     figure = Figure(figsize=(7.0, 0.9 + 1.5 * len(wheelsets)), layout="constrained")
     axes = figure.subplots(len(wheelsets), 2, sharex=True, sharey=True, squeeze=False)
     edges = _bar_edges(surface)
+    highest = 0.0
     for wheel, index in shown.items():
         place = axes[wheelsets.index(wheel.wheelset), 0 if wheel.side == LEFT else 1]
         bottom = np.zeros(edges.size - 1)
@@ -66,10 +69,12 @@ def rcf_bins_figure(report: DamageReport, distance: float, vehicle: int | None =
             bottom = bottom + bars
         overall = _bars(surface, surface.fatigue_revolutions[index].sum(axis=0), edges)
         place.stairs(overall, edges * 1e3, color="0.2", linewidth=0.9, label="FI$_{surf}$ > 0")
+        highest = max(highest, float(bottom.max()), float(overall.max()))
         side = "left" if wheel.side == LEFT else "right"
         place.set_title(f"wheelset {wheel.wheelset}, {side}", fontsize=8, loc="left", pad=2)
         place.tick_params(labelsize=7, direction="in")
         place.yaxis.set_major_formatter(EngFormatter())
+    axes[0, 0].set_ylim(0.0, 1.06 * highest if highest > 0.0 else 1.0)
     figure.supxlabel(f"{_measure(surface)} [mm], flange on the right", fontsize=9)
     figure.supylabel(f"revolutions after {distance * 1e-3:,.0f} km", fontsize=9)
     handles, labels = axes[0, 0].get_legend_handles_labels()

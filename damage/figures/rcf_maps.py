@@ -132,8 +132,8 @@ def _index(surface: WheelSurface, wheel: Wheel) -> int:
 
 
 def _shown(values: NDArray[np.float64]) -> slice:
-    """The bins across the profile with more than a thousandth of the largest, and some beyond."""
-    used = np.flatnonzero((values > 1e-3 * values.max()).any(axis=1))
+    """The bins across with more than a hundredth of the largest, as the eye sees it, and some beyond."""
+    used = np.flatnonzero((values > 1e-2 * values.max()).any(axis=1))
     if used.size == 0:
         return slice(0, values.shape[0])
     return slice(max(int(used[0]) - _MARGIN, 0), int(used[-1]) + 1 + _MARGIN)
@@ -179,5 +179,5 @@ def _label(axes: NDArray[np.object_], surface: WheelSurface) -> None:
 
 
 def _number(value: float) -> str:
-    """A count for people."""
-    return f"{value:,.0f}" if value >= 10.0 else f"{value:.3g}"
+    """A count for people, to three digits."""
+    return EngFormatter()(float(f"{value:.3g}"))

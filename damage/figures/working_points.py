@@ -66,7 +66,7 @@ def shakedown_figure(
     friction = np.linspace(0.0, largest, 400)
     axes.plot(friction, point_contact_limit(friction), color="black", linewidth=1.2, label="shakedown limit")
     axes.text(0.97 * largest, 0.96 * height, "ratchetting", ha="right", va="top", fontsize=8, style="italic")
-    axes.text(0.03 * largest, 2.6, "shakedown", fontsize=8, style="italic")
+    axes.text(0.97 * largest, 0.03 * height, "shakedown", ha="right", va="bottom", fontsize=8, style="italic")
     axes.set_xlim(0.0, largest)
     axes.set_ylim(0.0, height)
     axes.set_xlabel("utilised friction $Q/P$ [-]")

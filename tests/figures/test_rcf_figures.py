@@ -44,7 +44,7 @@ def test_maps_show_the_number_after_the_distance(tmp_path: Path) -> None:
     figure = rcf_map_figure(cases, WHEEL, 50.0 * KM, "rcf_number")
     figure.savefig(tmp_path / "map.png")
     titles = [axes.get_title() for axes in figure.axes[:2]]
-    assert titles == ["dry\nmax 10,000", "wet\nmax 1,000"]
+    assert titles == ["dry\nmax 10 k", "wet\nmax 1 k"]
     drawn = np.asarray(figure.axes[0].collections[0].get_array())
     assert drawn.max() == pytest.approx(50.0 * 200.0)
     assert drawn.sum() == pytest.approx(50.0 * 5 * 300.0)
@@ -66,7 +66,7 @@ def test_energy_map_is_relative_to_the_first_threshold(tmp_path: Path) -> None:
     figure = energy_map_figure(report, WHEEL, 50.0 * KM)
     figure.savefig(tmp_path / "energy.png")
     assert np.asarray(figure.axes[0].collections[0].get_array()).max() == pytest.approx(2.0)
-    assert [axes.get_title().split("max ")[1] for axes in figure.axes[1:3]] == ["10,000", "5,000"]
+    assert [axes.get_title().split("max ")[1] for axes in figure.axes[1:3]] == ["10 k", "5 k"]
     without = DamageReport(report.surface, DamageModel(), BadRows(), 1e-5)
     with pytest.raises(ValueError, match="no thresholds of Burstow's"):
         energy_map_figure(without, WHEEL, KM)
