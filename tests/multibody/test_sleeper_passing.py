@@ -41,13 +41,15 @@ def test_wheel_loads_peak_at_speed_over_spacing(demo: Case, spectra) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["erri_low", "erri_high"])
-def test_the_demo_on_irregular_track_runs_through_and_has_the_peak(demo: Case, runs, name: str) -> None:
+@pytest.mark.parametrize(("name", "factor"), [("erri_low", 20.0), ("erri_high", 15.0)])
+def test_the_demo_on_irregular_track_runs_through_and_has_the_peak(
+    demo: Case, runs, name: str, factor: float
+) -> None:
+    """The least factors measured are 39 and 18, at wheelset 4: on rough track it answers at 31 Hz too."""
     case = demo.with_changes(track={"irregularity": name})
     run = simulate(case, runs / f"demo_{name}")
     assert run.status["finished"] is True
-    # 18 (wheelset 4, erri_high: the trailing bogie answers at 31 Hz too) to 485 are measured
-    check_peak(case, *wheel_forces(run).between(110.0, 250.0).spectrum("Q", SEGMENT), factor=10.0)
+    check_peak(case, *wheel_forces(run).between(110.0, 250.0).spectrum("Q", SEGMENT), factor)
 
 
 def test_even_track_has_no_peak(demo: Case, spectra) -> None:
