@@ -5,6 +5,7 @@ T is pitched with the gradient: `inclined_frame`, `inclined_rotation` and `incli
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -129,6 +130,44 @@ def inclined_frame(
     if i >= 0:
         pitch = -math.atan(_gradient(table.nodes[i], s - table.nodes[i, Node.S]))
     return x, y, z, heading, pitch, roll, curvature, gauge
+
+
+class TrackTurn(NamedTuple):
+    """How the track frame T goes on along the track, per metre of arc length in plan, in the axes of T."""
+
+    ahead: float  # way along x [-]
+    twist: float  # rotation about x [rad/m]
+    pitch: float  # about y [rad/m]
+    yaw: float  # about z [rad/m]
+    gauge: float  # widening of the gauge [-]
+
+
+@inlined_kernel
+def track_turn(table: AlignmentTable, s: float, pitch: float, roll: float) -> TrackTurn:
+    """The turning of T at arc length s, where `inclined_frame` gives this pitch and roll [rad].
+
+    With T = Rz(heading) Ry(pitch) Rx(roll) its rotation per metre is Rx^T (Ry^T (0, 0, heading') +
+    (0, pitch', 0)) + (roll', 0, 0) in its own axes. NaN outside the table.
+    """
+    i = _cell(table, s)
+    if i < 0:
+        return TrackTurn(math.nan, math.nan, math.nan, math.nan, math.nan)
+    node = table.nodes[i]
+    u = s - node[Node.S]
+    curvature = node[Node.CURVATURE] + u * (
+        node[Node.CURVATURE_1] + u * (node[Node.CURVATURE_2] + u * node[Node.CURVATURE_3])
+    )
+    cant_rate = node[Node.CANT_1] + u * (2.0 * node[Node.CANT_2] + 3.0 * u * node[Node.CANT_3])
+    gauge_rate = node[Node.GAUGE_1] + u * (2.0 * node[Node.GAUGE_2] + 3.0 * u * node[Node.GAUGE_3])
+    bend = node[Node.GRADIENT_1] + u * (2.0 * node[Node.GRADIENT_2] + 3.0 * u * node[Node.GRADIENT_3])
+    cp, sp = math.cos(pitch), math.sin(pitch)
+    cr, sr = math.cos(roll), math.sin(roll)
+    roll_rate = -cant_rate / (RAIL_TOP_DISTANCE * cr)
+    pitch_rate = -bend * cp * cp
+    across, up = pitch_rate, cp * curvature
+    return TrackTurn(
+        1.0 / cp, roll_rate - sp * curvature, cr * across + sr * up, cr * up - sr * across, gauge_rate
+    )
 
 
 @kernel

@@ -11,8 +11,9 @@ In the track frame (x forward, y left, z up), from the displacements y, z of the
 =============  ==========================  ==================================================================
 
 so the left rail moves by y = alignment + gauge / 2, z = level - cross_level / 2, and the right one by
-y = alignment - gauge / 2, z = level + cross_level / 2 (`irregularity_table.rail_displacements`). Level and
-alignment are means of both rails, as in the thesis (Hossein-Nia, section 1.1.3).
+y = alignment - gauge / 2, z = level + cross_level / 2. The rails are fixed to the sleeper, so that they also
+roll by cross_level / 1.5 m, as they do with cant (`track.rail_frame`). Level and alignment are means of both
+rails, as in the thesis (Hossein-Nia, section 1.1.3).
 
 A random track is a sum of cosines with the spectrum's amplitudes and random phases (Shinozuka and Deodatis,
 Appl. Mech. Rev. 44(4), 1991, 191-204):

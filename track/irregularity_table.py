@@ -10,13 +10,25 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from hh_exudyn.kernel import inlined_kernel, kernel
+from hh_exudyn.kernel import inlined_kernel
 
 FloatArray = NDArray[np.float64]
-IrregularityState = tuple[float, float, float, float, float, float, float, float]
 
 _SIGNALS = 4
 _MARGIN = 32  # zero nodes at either end: a spline's disturbance fades by 0.27 a node, to 1e-18
+
+
+class IrregularityState(NamedTuple):
+    """The four irregularities at one arc length, and their slopes; signs as in `track.irregularity`."""
+
+    level: float  # [m]
+    alignment: float  # [m]
+    gauge: float  # [m]
+    cross_level: float  # [m]
+    level_slope: float  # [-]
+    alignment_slope: float  # [-]
+    gauge_slope: float  # [-]
+    cross_level_slope: float  # [-]
 
 
 class IrregularityTable(NamedTuple):
@@ -67,17 +79,14 @@ def smooth_track() -> IrregularityTable:
 def irregularity_at(table: IrregularityTable, s: float) -> IrregularityState:
     """The four irregularities and their slopes at arc length s; zero outside the table.
 
-    Returns
-    -------
-    level, alignment, gauge, cross_level, and their derivatives along s in the same order
-        [m] and [-]; signs as in `track.irregularity`. NaN where s is NaN.
+    All NaN where s is NaN.
     """
     u = (s - table.start) * table.per_step
     last = table.nodes.shape[0] - 1
     if u < 0.0 or u > last:
-        return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+        return IrregularityState(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     if not u >= 0.0:  # NaN
-        return u, u, u, u, u, u, u, u
+        return IrregularityState(u, u, u, u, u, u, u, u)
     i = min(int(u), last - 1)
     here = table.nodes[i]
     ahead = table.nodes[i + 1]
@@ -90,7 +99,7 @@ def irregularity_at(table: IrregularityTable, s: float) -> IrregularityState:
     c = sixth * (1.0 - 3.0 * r * r)
     d = sixth * (3.0 * t * t - 1.0)
     p = table.per_step
-    return (
+    return IrregularityState(
         r * here[0] + t * ahead[0] + a * here[4] + b * ahead[4],
         r * here[1] + t * ahead[1] + a * here[5] + b * ahead[5],
         r * here[2] + t * ahead[2] + a * here[6] + b * ahead[6],
@@ -99,23 +108,4 @@ def irregularity_at(table: IrregularityTable, s: float) -> IrregularityState:
         p * (ahead[1] - here[1]) + c * here[5] + d * ahead[5],
         p * (ahead[2] - here[2]) + c * here[6] + d * ahead[6],
         p * (ahead[3] - here[3]) + c * here[7] + d * ahead[7],
-    )
-
-
-@kernel
-def rail_displacements(
-    level: float, alignment: float, gauge: float, cross_level: float
-) -> tuple[float, float, float, float]:
-    """Displacements of the two rails in the track frame from the four signals; slopes from slopes likewise.
-
-    Returns
-    -------
-    y_left, z_left, y_right, z_right : float
-        y to the left, z up [m].
-    """
-    return (
-        alignment + 0.5 * gauge,
-        level - 0.5 * cross_level,
-        alignment - 0.5 * gauge,
-        level + 0.5 * cross_level,
     )

@@ -14,9 +14,16 @@ s = 0, d, 2d, ..., to its first harmonic,
 with the amplitude eps from the beam on its supports (`track.flexibility`). Over point supports the beam's
 compliance has a corner; its second harmonic is a fifth of the first (laterally a tenth). It is left out: real
 pads are as long as a quarter of the spacing, and at 60 km/h it lies at 56 Hz, where the lumped track is not
-valid. The spring has at each s the energy k_pad(s) u^2 / 2, so that passing sleepers do work on the track,
-and take back what its dampers and the vehicle's have not lost (15 W of the demo's 12 kW). The longitudinal
-force -u^2/2 dk_pad/ds by which the train would pay for it is left out.
+valid.
+
+The wheel runs along on this deflection, so that it is partly motion of the rail's material and partly its
+shape, travelled over. With G(x, s) the deflection at x under a unit load at s, G(x, s) = G(s, x) (Maxwell
+and Betti), both parts of the derivative of C(s) = G(s, s) are alike: a force F gives the rail the slope
+
+    F C'(s) / 2 = u/2 d/ds ln(C of the pad),    u the pad's deflection,                                 (2)
+
+(`rail_shift`) and its material below the wheel moves by that much less. On this slope the contact force has
+a longitudinal part, by which the train pays for the work that passing sleepers do on the track.
 """
 
 import math
@@ -26,7 +33,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import inlined_kernel, kernel
+from track.rail_frame import RailShift
 
 DOFS = ("y_left", "z_left", "y_right", "z_right", "y_sleeper", "z_sleeper", "roll_sleeper")
 _MAY_VANISH = ("passing_lateral", "passing_vertical")  # and stay below 1, or a pad would get no stiffness
@@ -48,6 +56,23 @@ class TrackParameters(NamedTuple):
     sleeper_spacing: float
     passing_lateral: float  # eps of equation (1)
     passing_vertical: float
+
+
+@inlined_kernel
+def rail_shift(parameters: TrackParameters, s: float, side: int, q: NDArray[np.float64]) -> RailShift:
+    """Deflection of a rail (side 0 left, 1 right) and its slopes by equation (2), for q of `track_forces`."""
+    p = parameters
+    phase = 2.0 * math.pi * s / p.sleeper_spacing
+    wave = math.cos(phase)
+    rate = 0.5 * math.sin(phase) * 2.0 * math.pi / p.sleeper_spacing
+    y, z = q[2 * side], q[2 * side + 1]
+    below = q[5] + (1.0 - 2.0 * side) * p.rail_spacing_half * q[6]
+    return RailShift(
+        y,
+        z,
+        (y - q[4]) * rate * p.passing_lateral / (1.0 - p.passing_lateral * wave),
+        (z - below) * rate * p.passing_vertical / (1.0 - p.passing_vertical * wave),
+    )
 
 
 @kernel

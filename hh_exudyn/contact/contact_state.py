@@ -20,7 +20,7 @@ class ContactState:
     y_wheel, y_rail : float
         Lateral position on the profiles, side coordinates [m].
     x_shift : float
-        Contact ahead of the wheelset's centre [m].
+        Contact ahead of the wheelset's centre, along the track [m].
     contact_angle : float
         Positive towards the flange [rad].
     rolling_radius : float
@@ -42,13 +42,13 @@ class ContactState:
     Q, Y : float
         Vertical and lateral (outwards) force of the whole wheel on the rail [N].
     angle_of_attack : float
-        Yaw of the wheelset, positive to the left [rad].
+        Yaw of the wheelset to this wheel's rail, positive to the left [rad].
     y_wheelset : float
         Lateral position of the wheelset's centre, positive to the left [m].
     approach : float
         Elastic approach along the normal [m].
     roll : float
-        Roll of the wheelset, right-hand about x [rad].
+        Roll of the wheelset to this wheel's rail, right-hand about x [rad].
     s : float
         Arc length of the wheelset along the track, where a rail may have changed [m].
     """

@@ -66,12 +66,12 @@ def gap_curve(pair: WheelRailPair, low: Minimum, y_wheel: float) -> tuple[float,
     """
     z_wheel, slope, second = spline_evaluate(pair.wheel, y_wheel)
     _, py, pz, slope_wheel = silhouette(pair, y_wheel, z_wheel, slope)
-    y_rail = pair.side * (pair.rail_y - (pair.centre_y + py))
+    y_rail = -pair.side * (pair.centre_y + py)
     z_rail, slope_rail, second_rail = spline_evaluate(pair.rail, y_rail)
     projection = low.cosine - slope_wheel * low.sine
     if not projection > _STEEPEST:
         return math.nan, math.nan, math.nan
-    vertical = pair.centre_z + pz - pair.rail_z - z_rail
+    vertical = pair.centre_z + pz - z_rail
     wheel_square, rail_square = 1.0 + slope * slope, 1.0 + slope_rail * slope_rail
     return (
         (y_rail - low.y_rail) * low.cosine - (z_rail - low.z_rail) * low.sine,

@@ -257,7 +257,7 @@ def _refer_to_centre(
     z, slope, _ = spline_evaluate(pair.wheel, y_wheel)
     px, py, pz, slope_wheel = silhouette(pair, y_wheel, z, slope)
     contact[Y_WHEEL] = y_wheel
-    contact[Y_RAIL] = pair.side * (pair.rail_y - (pair.centre_y + py))
+    contact[Y_RAIL] = -pair.side * (pair.centre_y + py)
     _, slope_rail, _ = spline_evaluate(pair.rail, contact[Y_RAIL])
     contact[CONTACT_ANGLE] = -0.5 * (math.atan(slope_rail) + math.atan(slope_wheel))
     contact[POINT], contact[POINT + 1], contact[POINT + 2] = px, py, pz

@@ -7,17 +7,25 @@ come from the rigid-body velocity of the wheel's material at the contact point r
 The slip speed on which friction falls is that of the patch as a whole (creepages times speed, Polach's w):
 neither the spin, whose slip cancels about the middle, nor what adheres within the patch is seen.
 
-The contact frame C is T rolled about x by side * contact angle: x the rolling direction along the rail, z the
-normal from the rail into the wheel. The contact point of an ellipse is the point of deepest interpenetration,
-that of a patch of strips its centre of pressure; the patch is plane.
+The contact frame C: x along the rail's surface, R rolled about x by side * contact angle, z the normal from
+the rail into the wheel. R is the frame of the rail at the wheelset's arc length; at a contact ahead of the
+axle, or on a twisting or changing rail, the surface runs otherwise by fractions of a milliradian, and C with
+it: else a wheel in a curve or on a ramp would seem to sink into its rail or to leave it.
+
+The contact point of an ellipse is the point of deepest interpenetration, that of a patch of strips its centre
+of pressure; the patch is plane. Forces act at the contact point on the undeformed wheel (half an approach,
+some 0.05 mm, from where the deformed surfaces meet: without influence on any moment).
 """
 
 import math
+from typing import NamedTuple
 
 from hh_exudyn.contact.fastrip import force_on_strips
 from hh_exudyn.contact.friction import FrictionTable, friction_at
 from hh_exudyn.contact.hertz import normal_contact
 from hh_exudyn.contact.non_elliptic import CURVATURE_FLOOR, HERTZ, minimum, patch_strips
+from hh_exudyn.contact.profile_spline import spline_evaluate
+from hh_exudyn.contact.rail_tables import surface_slope
 from hh_exudyn.contact.search import (
     APPROACH,
     CONTACT_ANGLE,
@@ -29,11 +37,22 @@ from hh_exudyn.contact.search import (
     Y_RAIL,
     Y_WHEEL,
 )
-from hh_exudyn.contact.silhouette import WheelRailPair
+from hh_exudyn.contact.silhouette import WheelRailPair, silhouette
 from hh_exudyn.contact.tangential import force_kernel
 from hh_exudyn.contact.theories import GIVEN
-from hh_exudyn.contact.types import FloatArray, Patch, RollingPatch, WheelRailModel
+from hh_exudyn.contact.types import (
+    ContactForces,
+    FloatArray,
+    Patch,
+    RailMotion,
+    RailTables,
+    RollingPatch,
+    WheelRailModel,
+    WheelsetMotion,
+)
 from hh_exudyn.kernel import inlined_kernel
+
+Triple = tuple[float, float, float]
 
 CREEPAGE_SPEED_FLOOR = 0.1  # m/s, the least speed that creepages refer to
 
@@ -58,24 +77,42 @@ _PATCH_POWER = int(Patch.POWER)
 _PATCH_FLOORED = int(Patch.FLOORED)
 
 
+class ContactFrame(NamedTuple):
+    """Contact point and contact frame C of a patch, in axes of T."""
+
+    point: Triple  # from the wheelset's centre [m]
+    along: Triple  # unit vectors: x of C
+    across: Triple  # y of C
+    normal: Triple  # z of C, from the rail into the wheel
+
+
+class SlipVelocity(NamedTuple):
+    """Velocity of the wheel's material at the contact point relative to the rail's, in C."""
+
+    along: float  # with what the creepage lags behind [m/s]
+    across: float  # the same [m/s]
+    approach: float  # of the wheel to the rail along the normal [m/s]
+    spin: float  # angular velocity about the normal [rad/s]
+
+
 @inlined_kernel
 def add_patch(
     model: WheelRailModel,
     pair: WheelRailPair,
+    along: RailTables,
     contact: FloatArray,
     strips: FloatArray,
-    velocity: FloatArray,
-    angular_velocity: FloatArray,
-    rail_velocity: FloatArray,
-    creep_lag: FloatArray,
+    wheelsets: WheelsetMotion,
+    rails: RailMotion,
     friction_table: FrictionTable,
-    wheelset: int,
-    arc_length: float,
-    wrench: FloatArray,
-    rail_force: FloatArray,
-    patch: FloatArray,
+    i: int,
+    forces: ContactForces,
+    number: int,
 ) -> bool:
-    """Add the forces of one patch to the wrenches and fill its row; False where it carries no force."""
+    """Add the forces of patch `number` of a wheel of wheelset i; False where it carries no force.
+
+    `along` is the rail on its side, `contact` and `strips` are what the search has found.
+    """
     floored = 0.5 * (contact[WHEEL_CURVATURE] + contact[RAIL_CURVATURE]) < CURVATURE_FLOOR
     if model.normal == HERTZ:
         # A and B are half the sums of the curvatures in the normal section
@@ -89,33 +126,25 @@ def add_patch(
     else:
         low = minimum(model.normal, pair, contact, model.shear_modulus, model.poisson_ratio)
         elastic, max_pressure, a, b, _ = patch_strips(pair, contact, low, contact[STIFFNESS], strips)
-
-    angle = contact[CONTACT_ANGLE]
-    cosine, sine = math.cos(angle), pair.side * math.sin(angle)  # C is T rolled by side * angle
-
-    # Velocity of the wheel's material at the contact point relative to the rail, axes of T then of C
-    px, py, pz = contact[POINT], contact[POINT + 1], contact[POINT + 2]
-    wx, wy, wz = angular_velocity[0], angular_velocity[1], angular_velocity[2]
-    slip_x = velocity[0] + wy * pz - wz * py + creep_lag[0]
-    across = velocity[1] + wz * px - wx * pz - rail_velocity[0]
-    upward = velocity[2] + wx * py - wy * px - rail_velocity[1]
-    slip_y = cosine * (across + creep_lag[1]) + sine * upward
-    approach_rate = sine * across - cosine * upward
-    spin = -sine * wy + cosine * wz
-    if model.theory == GIVEN:
-        slip_x -= wy * model.given.conicity * contact[Y_WHEEL] + creep_lag[0]
-        slip_y -= cosine * creep_lag[1]
-
-    factor = 1.0 + model.damping * approach_rate
+    side = 0 if pair.side > 0.0 else 1
+    frame = _contact_frame(pair, along, contact, rails, i, side)
+    slip = _slip_velocity(model, contact, frame, wheelsets, rails, i, side)
+    factor = 1.0 + model.damping * slip.approach
     if not elastic > 0.0 or factor <= 0.0:
         return False
     normal = elastic * factor
 
     # Creep forces (equations.md 2.12-2.15 are the small-angle form of these creepages)
-    speed = max(velocity[0], CREEPAGE_SPEED_FLOOR)
-    nu_x, nu_y, phi = slip_x / speed, slip_y / speed, spin / speed
-    side = 0 if pair.side > 0.0 else 1
-    friction = friction_at(friction_table, wheelset, side, arc_length, angle, math.hypot(slip_x, slip_y))
+    speed = max(wheelsets.velocity[i, 0], CREEPAGE_SPEED_FLOOR)
+    nu_x, nu_y, phi = slip.along / speed, slip.across / speed, slip.spin / speed
+    friction = friction_at(
+        friction_table,
+        i,
+        side,
+        rails.arc_length[i],
+        contact[CONTACT_ANGLE],
+        math.hypot(slip.along, slip.across),
+    )
     rolling = RollingPatch(a, b, normal, nu_x, nu_y, phi, friction, model.shear_modulus, model.poisson_ratio)
     if model.theory == GIVEN:
         force_x, force_y, moment_z = -model.given.longitudinal * nu_x, -model.given.lateral * nu_y, 0.0
@@ -125,23 +154,10 @@ def add_patch(
         force_x, force_y, moment_z = force_on_strips(strips, strips.shape[0], rolling, model.cells_x)
     else:
         force_x, force_y, moment_z = 0.0, 0.0, 0.0
+    _add_wrench(frame, (force_x, force_y, normal), moment_z, forces, i, side)
 
-    force_across = cosine * force_y - sine * normal
-    force_up = sine * force_y + cosine * normal
-    wrench[0] += force_x
-    wrench[1] += force_across
-    wrench[2] += force_up
-    wrench[3] += py * force_up - pz * force_across
-    wrench[4] += pz * force_x - px * force_up - sine * moment_z
-    wrench[5] += px * force_across - py * force_x + cosine * moment_z
-    rail_force[0] -= force_across
-    rail_force[1] -= force_up
-
-    patch[_PATCH_Y_WHEEL] = contact[Y_WHEEL]
-    patch[_PATCH_Y_RAIL] = contact[Y_RAIL]
-    patch[_PATCH_X_SHIFT] = px
-    patch[_PATCH_CONTACT_ANGLE] = angle
-    patch[_PATCH_ROLLING_RADIUS] = contact[RADIUS]
+    patch = forces.patches[i, side, number]
+    _write_geometry(patch, contact, frame)
     patch[_PATCH_NORMAL_FORCE] = normal
     patch[_PATCH_A] = a
     patch[_PATCH_B] = b
@@ -153,10 +169,148 @@ def add_patch(
     patch[_PATCH_FORCE_X] = force_x
     patch[_PATCH_FORCE_Y] = force_y
     patch[_PATCH_MOMENT_Z] = moment_z
-    patch[_PATCH_APPROACH] = contact[APPROACH]
     # Lost are the creep power and the damping part of the normal power; the elastic part comes back.
-    patch[_PATCH_POWER] = -(force_x * slip_x + force_y * slip_y + moment_z * spin) + (
-        (normal - elastic) * approach_rate
+    patch[_PATCH_POWER] = -(force_x * slip.along + force_y * slip.across + moment_z * slip.spin) + (
+        (normal - elastic) * slip.approach
     )
     patch[_PATCH_FLOORED] = 1.0 if floored else 0.0
     return True
+
+
+@inlined_kernel
+def _contact_frame(
+    pair: WheelRailPair, along: RailTables, contact: FloatArray, rails: RailMotion, i: int, side: int
+) -> ContactFrame:
+    """The contact frame of a patch, along the rail's surface at the contact point."""
+    x, y, z = contact[POINT], contact[POINT + 1], contact[POINT + 2]
+    # R turns along the track, so that the rail's direction at the contact differs by the cross product
+    dx, dy, dz = x, pair.centre_y + y, pair.centre_z + z
+    heading = rails.turn[i, 2] * dx - rails.turn[i, 0] * dz
+    slope = rails.turn[i, 0] * dy - rails.turn[i, 1] * dx
+    slope += surface_slope(along, rails.arc_length[i], contact[Y_RAIL])
+    ch, sh, ct, st = 1.0, 0.0, 1.0, 0.0  # cosines and sines of heading and slope
+    if heading != 0.0 or slope != 0.0:
+        ch = 1.0 / math.sqrt(1.0 + heading * heading)
+        ct = 1.0 / math.sqrt(1.0 + slope * slope)
+        sh, st = ch * heading, ct * slope
+        x, y, z = _point_on_turned_rail(pair, contact[Y_WHEEL], (ch, sh, ct, st))
+    cosine = math.cos(contact[CONTACT_ANGLE])
+    sine = pair.side * math.sin(contact[CONTACT_ANGLE])
+    rotation = rails.rotation[i, side]
+    return ContactFrame(
+        _rotated(rotation, x, y, z),
+        _rotated(rotation, ch * ct, sh * ct, st),
+        _rotated(rotation, -cosine * sh - sine * ch * st, cosine * ch - sine * sh * st, sine * ct),
+        _rotated(rotation, sine * sh - cosine * ch * st, -sine * ch - cosine * sh * st, cosine * ct),
+    )
+
+
+@inlined_kernel
+def _point_on_turned_rail(
+    pair: WheelRailPair, y_wheel: float, turn: tuple[float, float, float, float]
+) -> Triple:
+    """Where a circle of the wheel touches a rail turned in heading and slope, in axes of R.
+
+    With the point of the unturned rail the normal would miss the axle, and turn the wheelset about it.
+    """
+    ch, sh, ct, st = turn
+    lx, ly, lz = pair.axle_x, pair.axle_y, pair.axle_z
+    level = ch * lx + sh * ly
+    across, up = ch * ly - sh * lx, ct * lz - st * level
+    ahead = ct * level + st * lz
+    inverse = 1.0 / (1.0 - ahead * ahead)
+    turned = WheelRailPair(
+        pair.wheel,
+        pair.rail,
+        pair.side,
+        pair.distance,
+        pair.nominal_radius,
+        pair.centre_y,
+        pair.centre_z,
+        ahead,
+        across,
+        up,
+        ahead * ahead * inverse,
+        math.sqrt(inverse),
+    )
+    height, slope, _ = spline_evaluate(pair.wheel, y_wheel)
+    x, y, z, _ = silhouette(turned, y_wheel, height, slope)
+    level = ct * x - st * z
+    return ch * level - sh * y, sh * level + ch * y, st * x + ct * z
+
+
+@inlined_kernel
+def _slip_velocity(
+    model: WheelRailModel,
+    contact: FloatArray,
+    frame: ContactFrame,
+    wheelsets: WheelsetMotion,
+    rails: RailMotion,
+    i: int,
+    side: int,
+) -> SlipVelocity:
+    """Rigid-body velocity of the wheel at the contact point less that of the rail's material."""
+    px, py, pz = frame.point
+    wx, wy, wz = (
+        wheelsets.angular_velocity[i, 0],
+        wheelsets.angular_velocity[i, 1],
+        wheelsets.angular_velocity[i, 2],
+    )
+    x = wheelsets.velocity[i, 0] + wy * pz - wz * py
+    y = wheelsets.velocity[i, 1] + wz * px - wx * pz - rails.velocity[i, side, 0]
+    z = wheelsets.velocity[i, 2] + wx * py - wy * px - rails.velocity[i, side, 1]
+    along, across, normal = frame.along, frame.across, frame.normal
+    slip_x = x * along[0] + y * along[1] + z * along[2] + wheelsets.creep_lag[i, side, 0]
+    slip_y = x * across[0] + y * across[1] + z * across[2]
+    lag = math.cos(contact[CONTACT_ANGLE]) * wheelsets.creep_lag[i, side, 1]
+    if model.theory == GIVEN:  # creep forces follow the creepage at once
+        slip_x -= wy * model.given.conicity * contact[Y_WHEEL] + wheelsets.creep_lag[i, side, 0]
+        lag = 0.0
+    return SlipVelocity(
+        slip_x,
+        slip_y + lag,
+        -(x * normal[0] + y * normal[1] + z * normal[2]),
+        wx * normal[0] + wy * normal[1] + wz * normal[2],
+    )
+
+
+@inlined_kernel
+def _add_wrench(
+    frame: ContactFrame, force: Triple, moment: float, forces: ContactForces, i: int, side: int
+) -> None:
+    """Add a force in C and a moment about its normal to the wrench of wheelset i and to its rail's load."""
+    px, py, pz = frame.point
+    along, across, normal = frame.along, frame.across, frame.normal
+    x = force[0] * along[0] + force[1] * across[0] + force[2] * normal[0]
+    y = force[0] * along[1] + force[1] * across[1] + force[2] * normal[1]
+    z = force[0] * along[2] + force[1] * across[2] + force[2] * normal[2]
+    wrench = forces.wrench[i]
+    wrench[0] += x
+    wrench[1] += y
+    wrench[2] += z
+    wrench[3] += py * z - pz * y + moment * normal[0]
+    wrench[4] += pz * x - px * z + moment * normal[1]
+    wrench[5] += px * y - py * x + moment * normal[2]
+    forces.rail_force[i, side, 0] -= y
+    forces.rail_force[i, side, 1] -= z
+
+
+@inlined_kernel
+def _write_geometry(patch: FloatArray, contact: FloatArray, frame: ContactFrame) -> None:
+    """The columns of a contact state that say where the contact lies."""
+    patch[_PATCH_Y_WHEEL] = contact[Y_WHEEL]
+    patch[_PATCH_Y_RAIL] = contact[Y_RAIL]
+    patch[_PATCH_X_SHIFT] = frame.point[0]
+    patch[_PATCH_CONTACT_ANGLE] = contact[CONTACT_ANGLE]
+    patch[_PATCH_ROLLING_RADIUS] = contact[RADIUS]
+    patch[_PATCH_APPROACH] = contact[APPROACH]
+
+
+@inlined_kernel
+def _rotated(rotation: FloatArray, x: float, y: float, z: float) -> Triple:
+    """A vector (x, y, z) in axes of R, in those of T."""
+    return (
+        rotation[0, 0] * x + rotation[0, 1] * y + rotation[0, 2] * z,
+        rotation[1, 0] * x + rotation[1, 1] * y + rotation[1, 2] * z,
+        rotation[2, 0] * x + rotation[2, 1] * y + rotation[2, 2] * z,
+    )

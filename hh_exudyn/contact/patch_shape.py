@@ -239,12 +239,10 @@ def _pair(model: WheelRailModel, state: State) -> tuple[WheelRailPair, float, fl
         model.nominal_radius,
         np.zeros(3),
         axle,
-        0.0,
-        0.0,
     )
     z, slope, _ = spline_evaluate(wheel, state.y_wheel)
     z_rail, _, _ = spline_evaluate(rail, state.y_rail)
     _, py, pz, _ = silhouette(pair, state.y_wheel, z, slope)
     if not math.isfinite(py + pz + z_rail):
         raise ValueError(f"y_wheel = {state.y_wheel} m, y_rail = {state.y_rail} m: not on the profiles")
-    return pair._replace(rail_y=py + state.side * state.y_rail), z_rail - pz, slope
+    return pair._replace(centre_y=-(py + state.side * state.y_rail)), z_rail - pz, slope

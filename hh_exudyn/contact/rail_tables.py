@@ -7,8 +7,8 @@ Between two sections the profiles blend over a ramp of length r about the place 
 of points that lie alike in the track: the profiles are laid with their gauge points upon each other, to half
 a node spacing, and what is left of their difference blends too, like the gauge point itself. So the gauge
 stays what it is, nothing jumps, and outside its ramps a section has its own profile to the last digit. Along
-the ramp the rail is taken as a prism everywhere, as it is elsewhere: the slope of the ramp (2 mm ground off
-over 2 m) is left out of the contact's normal.
+the ramp the search for contact takes the rail as a prism, as it is elsewhere; the slope of its surface there
+(2 mm ground off over 2 m) turns the contact frame (`surface_slope`).
 """
 
 import math
@@ -18,7 +18,7 @@ from itertools import pairwise
 import numpy as np
 
 from hh_exudyn.contact.profile import Profile, gauge_point
-from hh_exudyn.contact.profile_spline import MAX_SLOPE, spline_table, uniform_table
+from hh_exudyn.contact.profile_spline import MAX_SLOPE, spline_evaluate, spline_table, uniform_table
 from hh_exudyn.contact.types import FloatArray, RailTables, SplineTable
 from hh_exudyn.kernel import inlined_kernel, kernel
 
@@ -173,6 +173,57 @@ def rail_at(rails: RailTables, s: float) -> tuple[SplineTable, float]:
         place[_START], rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE], rails.bounds[k]
     )
     return table, place[_GAUGE_POINT]
+
+
+@inlined_kernel
+def gauge_point_at(rails: RailTables, s: float) -> float:
+    """y of the gauge point of the rail at arc length s [m], in the coordinates of its profile [m]."""
+    section, share = _section_at(rails.sections, rails.change_length, s)
+    point = rails.sections[section, _GAUGE_POINT]
+    if share > 0.0:
+        point = (1.0 - share) * point + share * rails.sections[section + 1, _GAUGE_POINT]
+    return point
+
+
+@kernel
+def surface_slope(rails: RailTables, s: float, y: float) -> float:
+    """Slope dz/ds of the rail's surface along the track where its profile changes, zero elsewhere [-].
+
+    At a constant distance from the gauge point, as that lies straight on through a change: the derivative of
+    equation 1. NaN beyond the profile.
+
+    Parameters
+    ----------
+    rails : RailTables
+        Of one side.
+    s : float
+        Arc length [m].
+    y : float
+        Place on the profile there, as `rail_at` gives it [m].
+    """
+    section, share = _section_at(rails.sections, rails.change_length, s)
+    if not share > 0.0:
+        return 0.0
+    t = (s - rails.sections[section, _END]) / rails.change_length + 0.5
+    share_rate = 30.0 * (t * (1.0 - t)) ** 2 / rails.change_length
+    one, other = rails.sections[section], rails.sections[section + 1]
+    rest = 1.0 - share
+    along = y - (
+        rest * one[_START] + share * other[_START]
+    )  # from the first node, the same for both profiles
+    z, slope, _ = spline_evaluate(_from_first_node(rails, int(one[_PROFILE])), along)
+    z_other, slope_other, _ = spline_evaluate(_from_first_node(rails, int(other[_PROFILE])), along)
+    shift = (other[_GAUGE_POINT] - other[_START]) - (one[_GAUGE_POINT] - one[_START])
+    return share_rate * (z_other - z + (rest * slope + share * slope_other) * shift)
+
+
+@inlined_kernel
+def _from_first_node(rails: RailTables, k: int) -> SplineTable:
+    """A profile with the origin of y in its first node."""
+    nodes = rails.nodes[k]
+    return SplineTable(
+        0.0, rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE], rails.bounds[k]
+    )
 
 
 @inlined_kernel

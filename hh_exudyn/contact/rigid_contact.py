@@ -50,13 +50,11 @@ def posed_pair(
         side,
         distance,
         radius,
-        lateral,
+        lateral - rail_y,
         radius,
         0.0,
         math.cos(roll),
         math.sin(roll),
-        rail_y,
-        0.0,
         ratio=0.0,  # the axle lies across the track
         root=1.0,
     )

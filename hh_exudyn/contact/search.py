@@ -33,7 +33,7 @@ Y_WHEEL = 0  # lateral position on the wheel profile, side coordinates [m]
 Y_RAIL = 1  # on the rail profile [m]
 CONTACT_ANGLE = 2  # positive towards the flange [rad]
 APPROACH = 3  # elastic approach along the normal, sharing included [m]
-POINT = 4  # three columns: the contact point from the wheelset's centre, axes of T [m]
+POINT = 4  # three columns: the contact point from the wheelset's centre, axes of R [m]
 RADIUS = 7  # rolling radius [m]
 WHEEL_CURVATURE = 8  # lateral, convex positive [1/m]
 RAIL_CURVATURE = 9
@@ -183,7 +183,7 @@ def _at_node(pair: WheelRailPair, i: int) -> tuple[float, float, float, float]:
 def _nodes_on_rail(pair: WheelRailPair, first: int, last: int) -> tuple[int, int]:
     """The nodes of the wheel between two that lie above the rail's table (first > last where none does)."""
     wheel, rail = pair.wheel, pair.rail
-    y_rail = pair.side * (pair.rail_y - pair.centre_y) - pair.distance * pair.axle_y
+    y_rail = -pair.side * pair.centre_y - pair.distance * pair.axle_y
     y_rail -= pair.side * pair.nominal_radius * pair.root * pair.axle_z  # about that of the running circle
     # of the slopes up to 5, and of the radius, which this estimate has left out; then exactly
     margin = 5.0 * pair.nominal_radius * pair.ratio + _DEEPEST * abs(pair.axle_z)

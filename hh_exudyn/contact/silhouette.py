@@ -1,7 +1,7 @@
 """Where a wheel can touch a prismatic rail: the exact contact locus of a surface of revolution (kernels).
 
-The wheel is a surface of revolution, the rail a prism along the track's x axis. A point of the wheel can
-only touch where its normal has no x component. On the circle of radius R at the axial coordinate t, with
+The wheel is a surface of revolution, the rail a prism along the x axis of its frame R. A point of the wheel
+can only touch where its normal has no x component. On the circle of radius R at the axial coordinate t, with
 R' = dR/dt, the outward normal is along e - R' l (l axle direction, e radial unit vector), so that
 
     e.x = R' l.x                                                                                     (1)
@@ -28,13 +28,11 @@ class WheelRailPair(NamedTuple):
     side: float  # +1 left, -1 right
     distance: float  # half the lateral distance of the running circles [m]
     nominal_radius: float  # wheel radius at the running circle [m]
-    centre_y: float  # wheelset centre in the track frame T [m]
+    centre_y: float  # wheelset centre from the origin of the rail profile, axes of the rail's frame R [m]
     centre_z: float
-    axle_x: float  # unit vector of the wheelset's +y axis in T
+    axle_x: float  # unit vector of the wheelset's +y axis in R
     axle_y: float
     axle_z: float
-    rail_y: float  # where the origin of the rail profile lies in T, displacement of the rail included [m]
-    rail_z: float
     # of the axle's direction, as equation 1 needs them
     ratio: float  # lx^2 / (1 - lx^2)
     root: float  # 1 / sqrt(1 - lx^2)
@@ -47,12 +45,10 @@ def wheel_rail_pair(
     side: float,
     distance: float,
     nominal_radius: float,
-    position: FloatArray,
+    centre: FloatArray,
     axle: FloatArray,
-    rail_y: float,
-    rail_z: float,
 ) -> WheelRailPair:
-    """A `WheelRailPair` from the vectors `position` and `axle`, (3,) each."""
+    """A `WheelRailPair` from the vectors `centre` and `axle`, (3,) each, in the rail's frame R."""
     inverse = 1.0 / (1.0 - axle[0] * axle[0])
     return WheelRailPair(
         wheel,
@@ -60,13 +56,11 @@ def wheel_rail_pair(
         side,
         distance,
         nominal_radius,
-        position[1],
-        position[2],
+        centre[1],
+        centre[2],
         axle[0],
         axle[1],
         axle[2],
-        rail_y,
-        rail_z,
         axle[0] * axle[0] * inverse,
         math.sqrt(inverse),
     )
@@ -88,7 +82,7 @@ def silhouette(
     Returns
     -------
     x, y, z : float
-        The point from the wheelset's centre, axes of T [m].
+        The point from the wheelset's centre, axes of R [m].
     slope : float
         Slope dz/dy of the silhouette in side coordinates [-]. NaN where no point satisfies equation 1.
     """
@@ -131,7 +125,7 @@ def gap_below(
 ) -> tuple[float, float, float, float, float, float]:
     """`gap_at` for a point whose height and derivatives on the wheel profile are known."""
     _, py, pz, slope_wheel = silhouette(pair, y_wheel, z, slope)
-    y_rail = pair.side * (pair.rail_y - (pair.centre_y + py))
+    y_rail = -pair.side * (pair.centre_y + py)
     z_rail, slope_rail, second_rail = spline_evaluate(pair.rail, y_rail)
-    gap = pair.centre_z + pz - pair.rail_z - z_rail
+    gap = pair.centre_z + pz - z_rail
     return gap, slope_wheel - slope_rail, second - second_rail, y_rail, slope_rail, second_rail

@@ -76,6 +76,40 @@ class WheelRailModel(NamedTuple):
     given: GivenCreep  # for the theory `theories.GIVEN` only
 
 
+class WheelsetMotion(NamedTuple):
+    """Pose and velocity of n wheelsets, each in its own track frame T."""
+
+    position: FloatArray  # (n, 3) centres; x is 0 where T is the frame at the wheelset's arc length [m]
+    axle: FloatArray  # (n, 3) unit vector of the wheelset's +y axis
+    velocity: FloatArray  # (n, 3) inertial velocity of the centres [m/s]
+    angular_velocity: FloatArray  # (n, 3) inertial angular velocity, spin included [rad/s]
+    creep_lag: FloatArray  # (n, 2, 2) of each wheel (left, right): what the longitudinal and lateral creepage
+    # add to the velocity of wheel against rail, 0 in steady rolling [m/s]; the approach has none
+
+
+class RailMotion(NamedTuple):
+    """Place, direction and motion of the rails under n wheelsets; second index 0 left, 1 right.
+
+    A rail is a prism along the x axis of its frame R, whose origin is that of the rail's profile. R is T
+    turned by all that makes this rail run otherwise than the track at this place: irregularity, ramps of
+    cant and gauge, deflection. Its material rests but for its own elastic motion.
+    """
+
+    arc_length: FloatArray  # (n,) of the wheelsets along the track [m]
+    position: FloatArray  # (n, 2, 2) y and z of the origin of R, in T [m]
+    rotation: FloatArray  # (n, 2, 3, 3) R to T
+    turn: FloatArray  # (n, 3) rotation of R per metre along the track, about its own axes [rad/m]
+    velocity: FloatArray  # (n, 2, 2) of the rail's material, y and z in T [m/s]
+
+
+class ContactForces(NamedTuple):
+    """Forces of n wheelsets on their rails, written by the contact kernel."""
+
+    wrench: FloatArray  # (n, 6) force on the wheelset and moment about its centre, axes of T [N], [N m]
+    rail_force: FloatArray  # (n, 2, 2) y and z force on each rail, axes of T [N]
+    patches: FloatArray  # (n, 2, MAX_PATCHES, PATCH_COLUMNS) states, deepest first; without contact zero
+
+
 class RollingPatch(NamedTuple):
     """An elliptic patch in steady rolling: what every tangential theory takes.
 
@@ -108,8 +142,8 @@ class Patch(IntEnum):
 
     Y_WHEEL = 0  # lateral position on the wheel profile, side coordinates [m]
     Y_RAIL = 1  # lateral position on the rail profile, side coordinates [m]
-    X_SHIFT = 2  # contact ahead (+) of the wheelset's centre along the track [m]
-    CONTACT_ANGLE = 3  # between contact plane and track plane, positive towards the flange [rad]
+    X_SHIFT = 2  # contact ahead (+) of the wheelset's centre along the track, x of T [m]
+    CONTACT_ANGLE = 3  # of the contact plane about the rail's x axis, positive towards the flange [rad]
     ROLLING_RADIUS = 4  # [m]
     NORMAL_FORCE = 5  # [N]
     A = 6  # semi-axis in rolling direction, of the equivalent ellipse if the patch is made of strips [m]

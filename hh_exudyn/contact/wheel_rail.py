@@ -6,8 +6,10 @@ gives normal and creep forces of each.
 The forces of a patch act at the contact point on the undeformed wheel (half an approach, some 0.05 mm, from
 where the deformed surfaces meet: without influence on any moment).
 
-The contact frame C is T rolled about x by side * contact angle: x the rolling direction along the rail, z the
-normal from the rail into the wheel.
+Every wheel is looked at in the frame R of its own rail (`types.RailMotion`), on which the search is that for
+a prism along x; velocities are inertial ones along the axes of R, less that of the rail's material. So an
+angle of attack, a slip and an approach are those against this rail, on irregularities and ramps too, and a
+wheel that rolls onto a slope or a bend of the rail slips no more than one on a straight.
 """
 
 import math
@@ -30,7 +32,14 @@ from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
 from hh_exudyn.contact.silhouette import wheel_rail_pair
 from hh_exudyn.contact.strips import STRIP_COLUMNS
 from hh_exudyn.contact.tangential import THEORIES
-from hh_exudyn.contact.types import FloatArray, GivenCreep, WheelRailModel
+from hh_exudyn.contact.types import (
+    ContactForces,
+    FloatArray,
+    GivenCreep,
+    RailMotion,
+    WheelRailModel,
+    WheelsetMotion,
+)
 from hh_exudyn.conventions import BACK_TO_BACK, FLANGE_BACK_TO_RUNNING_CIRCLE
 from hh_exudyn.kernel import inlined_kernel
 
@@ -132,54 +141,25 @@ def _course(rail: Profile | RailCourse) -> RailCourse:
 @inlined_kernel
 def wheel_rail_forces(
     model: WheelRailModel,
-    position: FloatArray,
-    axle: FloatArray,
-    velocity: FloatArray,
-    angular_velocity: FloatArray,
-    rail_displacement: FloatArray,
-    rail_velocity: FloatArray,
-    creep_lag: FloatArray,
-    gauge: FloatArray,
-    arc_length: FloatArray,
+    wheelsets: WheelsetMotion,
+    rails: RailMotion,
     friction: FrictionTable,
-    wrench: FloatArray,
-    rail_force: FloatArray,
-    patches: FloatArray,
+    forces: ContactForces,
 ) -> int:
-    """Contact forces of n wheelsets (kernel: trusts its input, writes into the last three arrays).
+    """Contact forces of n wheelsets (kernel: trusts its input).
 
     Parameters
     ----------
     model : WheelRailModel
         From `wheel_rail_model`.
-    position : FloatArray
-        (n, 3) wheelset centres, each in its own track frame T [m].
-    axle : FloatArray
-        (n, 3) unit vector of the wheelset's +y axis in T.
-    velocity : FloatArray
-        (n, 3) inertial velocity of the centres in T [m/s].
-    angular_velocity : FloatArray
-        (n, 3) inertial angular velocity, spin included, in T [rad/s].
-    rail_displacement : FloatArray
-        (n, 2, 2) of the rails below: side index 0 left, 1 right; y, z in T [m].
-    rail_velocity : FloatArray
-        (n, 2, 2) its rate [m/s].
-    creep_lag : FloatArray
-        (n, 2, 2) what the longitudinal and lateral creepage add to the velocity of wheel against rail [m/s]:
-        zero for steady rolling, else the lag of the creep force behind that velocity. The approach has none.
-    gauge : FloatArray
-        (n,) track gauge there [m].
-    arc_length : FloatArray
-        (n,) where the wheelsets are along the track [m].
+    wheelsets : WheelsetMotion
+        Poses and velocities.
+    rails : RailMotion
+        The rails under them.
     friction : FrictionTable
         From `track.friction.Friction.table` or `friction.constant_friction`, for n wheelsets.
-    wrench : FloatArray
-        (n, 6) out: force on the wheelset and moment about its centre, axes of T [N], [N m].
-    rail_force : FloatArray
-        (n, 2, 2) out: y and z force on each rail, axes of T [N].
-    patches : FloatArray
-        (n, 2, MAX_PATCHES, PATCH_COLUMNS) out: contact states (`types.Patch`), deepest first; rows
-        without contact are zero.
+    forces : ContactForces
+        Written.
 
     Returns
     -------
@@ -188,33 +168,21 @@ def wheel_rail_forces(
     """
     contacts = np.empty((MAX_MINIMA, CONTACT_COLUMNS))
     strips = np.empty((0 if model.normal == HERTZ else model.cells_y, STRIP_COLUMNS))
-    wrench[:] = 0.0
-    rail_force[:] = 0.0
-    patches[:] = 0.0
-    for i in range(position.shape[0]):
+    centre, axle = np.empty(3), np.empty(3)
+    forces.wrench[:] = 0.0
+    forces.rail_force[:] = 0.0
+    forces.patches[:] = 0.0
+    for i in range(wheelsets.position.shape[0]):
         for s in range(2):
-            if s == 0:
-                side = 1.0
-                wheel = model.wheel_left
-                rail, gauge_point_y = rail_at(model.rails_left, arc_length[i])
-            else:
-                side = -1.0
-                wheel = model.wheel_right
-                rail, gauge_point_y = rail_at(model.rails_right, arc_length[i])
-            rail_y = side * (0.5 * gauge[i] + gauge_point_y) + rail_displacement[i, s, 0]
-            rail_z = rail_displacement[i, s, 1]
-            if not _finite(position[i], axle[i], velocity[i], angular_velocity[i], rail_y + rail_z):
+            side = 1.0 - 2.0 * s
+            wheel = model.wheel_left if s == 0 else model.wheel_right
+            along = model.rails_left if s == 0 else model.rails_right
+            rail, _ = rail_at(along, rails.arc_length[i])
+            _seen_from_rail(wheelsets, rails, i, s, centre, axle)
+            if not _finite(centre, axle, wheelsets.velocity[i], wheelsets.angular_velocity[i]):
                 return 1 + 2 * i + s
             pair = wheel_rail_pair(
-                wheel,
-                rail,
-                side,
-                model.running_circle_distance,
-                model.nominal_radius,
-                position[i],
-                axle[i],
-                rail_y,
-                rail_z,
+                wheel, rail, side, model.running_circle_distance, model.nominal_radius, centre, axle
             )
             if model.normal == HERTZ:
                 count = find_contacts(pair, contacts)
@@ -225,31 +193,36 @@ def wheel_rail_forces(
             present = 0
             for k in range(count):
                 if add_patch(
-                    model,
-                    pair,
-                    contacts[k],
-                    strips,
-                    velocity[i],
-                    angular_velocity[i],
-                    rail_velocity[i, s],
-                    creep_lag[i, s],
-                    friction,
-                    i,
-                    arc_length[i],
-                    wrench[i],
-                    rail_force[i, s],
-                    patches[i, s, present],
+                    model, pair, along, contacts[k], strips, wheelsets, rails, friction, i, forces, present
                 ):
                     present += 1
-            if not math.isfinite(wrench[i, 0] + wrench[i, 1] + wrench[i, 2] + wrench[i, 4]):
+            wrench = forces.wrench[i]
+            if not math.isfinite(wrench[0] + wrench[1] + wrench[2] + wrench[4]):
                 return 1 + 2 * i + s
     return 0
 
 
 @inlined_kernel
-def _finite(a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray, e: float) -> bool:
-    """Whether every number of four vectors and a scalar is finite."""
-    total = e
+def _seen_from_rail(
+    wheelsets: WheelsetMotion, rails: RailMotion, i: int, s: int, centre: FloatArray, axle: FloatArray
+) -> None:
+    """Centre of a wheelset from the origin of a rail's frame R, and direction of its axle, in axes of R."""
+    y = wheelsets.position[i, 1] - rails.position[i, s, 0]
+    z = wheelsets.position[i, 2] - rails.position[i, s, 1]
+    for axis in range(3):
+        column = rails.rotation[i, s, :, axis]
+        centre[axis] = column[0] * wheelsets.position[i, 0] + column[1] * y + column[2] * z
+        axle[axis] = (
+            column[0] * wheelsets.axle[i, 0]
+            + column[1] * wheelsets.axle[i, 1]
+            + column[2] * wheelsets.axle[i, 2]
+        )
+
+
+@inlined_kernel
+def _finite(a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray) -> bool:
+    """Whether every number of four vectors is finite."""
+    total = 0.0
     for k in range(3):
         total += abs(a[k]) + abs(b[k]) + abs(c[k]) + abs(d[k])
     return math.isfinite(total)

@@ -21,7 +21,17 @@ from hh_exudyn.contact.contact_state import ContactState, contact_state
 from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, Patch, WheelRailModel
+from hh_exudyn.contact.rail_tables import gauge_point_at
+from hh_exudyn.contact.types import (
+    MAX_PATCHES,
+    PATCH_COLUMNS,
+    ContactForces,
+    Patch,
+    RailMotion,
+    RailTables,
+    WheelRailModel,
+    WheelsetMotion,
+)
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 from hh_exudyn.conventions import BACK_TO_BACK, LEFT, NOMINAL_GAUGE, RIGHT
 
@@ -292,30 +302,35 @@ def _solve(
     axle = np.array(
         [[-math.sin(pose.yaw) * math.cos(roll), math.cos(pose.yaw) * math.cos(roll), math.sin(roll)]]
     )
-    rails = np.zeros((1, 2, 2))
-    rails[0, 1 - index, 1] = _RAIL_REMOVED
     still = np.zeros((1, 2, 2))
-    wrench, rail_force = np.zeros((1, 6)), np.zeros((1, 2, 2))
-    patches = np.zeros((1, 2, MAX_PATCHES, PATCH_COLUMNS))
-    status = wheel_rail_forces(
-        model,
-        np.array([[0.0, pose.lateral, height]]),
-        axle,
-        np.array([[pose.speed, 0.0, 0.0]]),
-        pose.pitch_rate * axle,
-        rails,
-        still,
-        still,
-        np.array([pose.gauge]),
-        np.zeros(1),
-        constant_friction([[pose.friction, pose.friction]]),
-        wrench,
-        rail_force,
-        patches,
+    positions = np.zeros((1, 2, 2))
+    positions[0, index, 0] = side * (0.5 * pose.gauge + gauge_point_at(_rails(model, side), 0.0))
+    positions[0, 1 - index, 1] = _RAIL_REMOVED
+    wheelset = WheelsetMotion(
+        position=np.array([[0.0, pose.lateral, height]]),
+        axle=axle,
+        velocity=np.array([[pose.speed, 0.0, 0.0]]),
+        angular_velocity=pose.pitch_rate * axle,
+        creep_lag=still,
     )
+    rails = RailMotion(
+        arc_length=np.zeros(1),
+        position=positions,
+        rotation=np.tile(np.eye(3), (1, 2, 1, 1)),
+        turn=np.zeros((1, 3)),
+        velocity=still,
+    )
+    forces = ContactForces(
+        wrench=np.zeros((1, 6)),
+        rail_force=np.zeros((1, 2, 2)),
+        patches=np.zeros((1, 2, MAX_PATCHES, PATCH_COLUMNS)),
+    )
+    friction = constant_friction([[pose.friction, pose.friction]])
+    status = wheel_rail_forces(model, wheelset, rails, friction, forces)
     if status != 0:
         raise ValueError(f"the contact at height {height:.6f} m has no finite solution")
-    vertical, outwards = float(-rail_force[0, index, 1]), float(side * rail_force[0, index, 0])
+    load = forces.rail_force[0, index]
+    vertical, outwards = float(-load[1]), float(side * load[0])
     states = tuple(
         contact_state(
             row,
@@ -327,10 +342,14 @@ def _solve(
             roll=roll,
             lateral=pose.lateral,
         )
-        for row in patches[0, index]
+        for row in forces.patches[0, index]
         if row[Patch.NORMAL_FORCE] > 0.0
     )
     return vertical, states
+
+
+def _rails(model: WheelRailModel, side: int) -> RailTables:
+    return model.rails_left if side == LEFT else model.rails_right
 
 
 def _checked_pose(

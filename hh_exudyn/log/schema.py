@@ -28,8 +28,10 @@ CONTACT = (
     Column("patch", "int32", "-", "patch of the wheel, from 0, deepest first"),
     Column("y_wheel", "float64", "m", "lateral position on the wheel profile (side coordinates)"),
     Column("y_rail", "float64", "m", "lateral position on the rail profile (side coordinates)"),
-    Column("x_shift", "float64", "m", "contact ahead of the wheelset's centre"),
-    Column("contact_angle", "float64", "rad", "contact plane to track plane, positive towards the flange"),
+    Column("x_shift", "float64", "m", "contact ahead of the wheelset's centre, along the track"),
+    Column(
+        "contact_angle", "float64", "rad", "contact plane to the rail's cross-section, positive to flange"
+    ),
     Column("rolling_radius", "float64", "m", "radius of the wheel at the contact"),
     Column("normal_force", "float64", "N", "normal force"),
     Column("a", "float64", "m", "semi-axis in rolling direction (equivalent ellipse if the patch is none)"),
@@ -45,10 +47,13 @@ CONTACT = (
     Column("moment_z", "float64", "N m", "spin moment on the wheel"),
     Column("Q", "float64", "N", "vertical force of the wheel on the rail (repeated on its patches)"),
     Column("Y", "float64", "N", "lateral force of the wheel on the rail, outwards (repeated on its patches)"),
-    Column("angle_of_attack", "float64", "rad", "yaw of the wheelset to the track, positive to the left"),
+    Column(
+        "angle_of_attack", "float64", "rad", "yaw of the wheelset to this wheel's rail, positive to the left"
+    ),
     Column("y_wheelset", "float64", "m", "lateral position of the wheelset's centre, positive to the left"),
     Column("approach", "float64", "m", "elastic approach along the normal"),
-    Column("roll", "float64", "rad", "roll of the wheelset to the track, right-hand about x"),
+    Column("roll", "float64", "rad", "roll of the wheelset to this wheel's rail, right-hand about x"),
+    Column("yaw", "float64", "rad", "yaw of the wheelset to the track frame, positive to the left"),
 )
 
 MOTION = (

@@ -2,7 +2,8 @@
 
 Coordinates: six per body (position of the centre of mass in the global frame, rotation vector); on flexible
 track seven per wheelset (`track.flexibility`); four per wheelset, two for each wheel, whose VELOCITIES are
-the longitudinal and lateral velocity of wheel against rail as the creepage feels them. Velocities: global
+the longitudinal and lateral slip velocity of wheel on rail as the creepage feels them, in the axes of that
+rail's frame R (`contact.types.RailMotion`). Velocities: global
 velocity and LOCAL angular velocity, as Exudyn's `NodeRigidBodyRotVecLG` has them; generalized forces are the
 conjugate global force and local torque.
 
@@ -10,10 +11,11 @@ Why the creepage feels them late: a steady-state creep force answers a sudden ve
 C/V of 1 MN s/m and, at low speed, much more, on a rail of 150 kg or on a wheelset's spin. A real contact must
 roll about one semi-axis a before its traction is built up (from Cattaneo's shift to Carter's rolling; Kalker,
 Three-Dimensional Elastic Bodies in Rolling Contact, 1990, chapter 5, quoted from memory); until then it is a
-spring of stiffness C/a, about that of Mindlin. So the velocity u that the creepage feels follows the velocity
-v of wheel against rail with u' = (v - u) V/a. Whatever moves wheel and rail alike, and steady rolling, are
-untouched; without it the explicit integration would need steps that shrink with the speed, and what it does
-beyond its limit looks like creep.
+spring of stiffness C/a, about that of Mindlin. So the velocity u that the creepage feels follows the slip
+velocity v of the wheel on its rail with u' = (v - u) V/a. It is the slip that lags, rolling included: a wheel
+that rolls straight on where its rail bends has a new direction against the rail, but no slip, and must not
+feel any. Steady rolling is untouched; without the lag the explicit integration would need steps that shrink
+with the speed, and what it does beyond its limit looks like creep.
 """
 
 from enum import IntEnum
@@ -144,8 +146,9 @@ class Workspace(NamedTuple):
     frame_axle: FloatArray  # (wheelsets, 3)
     frame_velocity: FloatArray  # (wheelsets, 3)
     frame_angular_velocity: FloatArray  # (wheelsets, 3)
-    gauge: FloatArray  # (wheelsets,)
-    rail_displacement: FloatArray  # (wheelsets, 2, 2)
+    rail_position: FloatArray  # (wheelsets, 2, 2), this and the next three as in `RailMotion`
+    rail_rotation: FloatArray  # (wheelsets, 2, 3, 3)
+    rail_turn: FloatArray  # (wheelsets, 3)
     rail_velocity: FloatArray  # (wheelsets, 2, 2)
     creep_lag: FloatArray  # (wheelsets, 2, 2)
     wrench: FloatArray  # (wheelsets, 6)
@@ -191,8 +194,9 @@ def workspace(model: SystemModel) -> Workspace:
         frame_axle=np.zeros((wheelsets, 3)),
         frame_velocity=np.zeros((wheelsets, 3)),
         frame_angular_velocity=np.zeros((wheelsets, 3)),
-        gauge=np.zeros(wheelsets),
-        rail_displacement=np.zeros((wheelsets, 2, 2)),
+        rail_position=np.zeros((wheelsets, 2, 2)),
+        rail_rotation=np.zeros((wheelsets, 2, 3, 3)),
+        rail_turn=np.zeros((wheelsets, 3)),
         rail_velocity=np.zeros((wheelsets, 2, 2)),
         creep_lag=np.zeros((wheelsets, 2, 2)),
         wrench=np.zeros((wheelsets, 6)),

@@ -11,6 +11,7 @@ from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.log.schema import CONTACT, ENERGY, MOTION
 from hh_exudyn.multibody.model import BODY_COORDINATES, IntArray, SystemModel, Workspace
 from hh_exudyn.multibody.system import energies
+from hh_exudyn.multibody.vectors import rotate_back, triple
 from track.alignment import inclined_locate
 from vehicles.description import Vehicle
 
@@ -91,10 +92,13 @@ def _contact_rows(work: Workspace, places: IntArray, time: float, rows: FloatArr
     """Fill one row of the contact log per patch that carries load; returns their number."""
     count = 0
     for w in range(places.shape[0]):
-        angle_of_attack = math.atan2(-work.frame_axle[w, 0], work.frame_axle[w, 1])
-        roll = math.asin(work.frame_axle[w, 2])
+        axle = triple(work.frame_axle[w])
+        yaw = math.atan2(-axle[0], axle[1])
         for index in range(2):
             side = LEFT if index == 0 else RIGHT
+            against = rotate_back(work.rail_rotation[w, index], axle)
+            angle_of_attack = math.atan2(-against[0], against[1])
+            roll = math.asin(against[2])
             for number in range(work.patches.shape[2]):
                 patch = work.patches[w, index, number]
                 if patch[_NORMAL_FORCE] <= 0.0:
@@ -120,6 +124,7 @@ def _contact_rows(work: Workspace, places: IntArray, time: float, rows: FloatArr
                 row[k + 7] = work.frame_position[w, 1]
                 row[k + 8] = patch[_APPROACH]
                 row[k + 9] = roll
+                row[k + 10] = yaw
                 count += 1
     return count
 

@@ -2,7 +2,8 @@
 
 import math
 
-from hh_exudyn.contact.types import FloatArray, Patch
+from hh_exudyn.contact.rail_tables import gauge_point_at
+from hh_exudyn.contact.types import ContactForces, FloatArray, Patch, RailMotion, WheelsetMotion
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces
 from hh_exudyn.kernel import Bundle, inlined_kernel, kernel
 from hh_exudyn.multibody.brakes import brake_forces
@@ -19,8 +20,10 @@ from hh_exudyn.multibody.model import (
 )
 from hh_exudyn.multibody.vectors import add_to, cross, rotate, rotate_back, rotation_matrix, triple
 from track.alignment import inclined_frame, inclined_locate, inclined_rotation
-from track.irregularity_table import irregularity_at, rail_displacements
-from track.substructure import track_forces
+from track.frame import TrackTurn, track_turn
+from track.irregularity_table import irregularity_at
+from track.rail_frame import RailShift, rail_frame
+from track.substructure import rail_shift, track_forces
 
 _FORCE = int(Ledger.COUPLER_FORCE)
 _COUPLER = int(Ledger.COUPLER_POWER)
@@ -53,23 +56,23 @@ def evaluate(
     _train_forces(model, work, time)
     _drive_torques(model, work)
     brake_forces(model.brakes, work, time)
-    _wheelset_states(model, work, q, v)
-    status = wheel_rail_forces(
-        model.wheel_rail,
+    _wheelset_states(model, work, q, v, settle)
+    wheelsets = WheelsetMotion(
         work.frame_position,
         work.frame_axle,
         work.frame_velocity,
         work.frame_angular_velocity,
-        work.rail_displacement,
-        work.rail_velocity,
         work.creep_lag,
-        work.gauge,
-        work.arc_length[: model.wheelsets.size],
-        model.friction,
-        work.wrench,
-        work.rail_force,
-        work.patches,
     )
+    rails = RailMotion(
+        work.arc_length[: model.wheelsets.size],
+        work.rail_position,
+        work.rail_rotation,
+        work.rail_turn,
+        work.rail_velocity,
+    )
+    forces = ContactForces(work.wrench, work.rail_force, work.patches)
+    status = wheel_rail_forces(model.wheel_rail, wheelsets, rails, model.friction, forces)
     _contact_forces(model, work)
     _generalized_forces(model, work, q, v)
     return status
@@ -156,12 +159,8 @@ def _drive_torques(model: SystemModel, work: Workspace) -> None:
 
 
 @inlined_kernel
-def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArray) -> None:
-    """Pose and velocity of every wheelset in its own frame T, and the state of the rails under it.
-
-    The rails are taken as running along T's x axis: on a cant or gauge ramp they do so up to the ramp's slope
-    (below 1e-3), which makes a false approach rate of some mm/s.
-    """
+def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArray, settle: bool) -> None:
+    """Pose and velocity of every wheelset in its own frame T, and the state of the rails under it."""
     for w in range(model.wheelsets.size):
         body = model.wheelsets[w]
         s = inclined_locate(
@@ -175,7 +174,6 @@ def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: Floa
         x, y, z, heading, pitch, roll, _, gauge = inclined_frame(model.alignment, s)
         frame = work.track_rotation[w]
         inclined_rotation(heading, pitch, roll, frame)
-        work.gauge[w] = gauge
         offset = (work.position[body, 0] - x, work.position[body, 1] - y, work.position[body, 2] - z)
         turned = work.rotation[body]
         for row, vector in (
@@ -188,36 +186,82 @@ def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: Floa
             row[0] = local[0]
             row[1] = local[1]
             row[2] = local[2]
-        _rail_states(model, work, q, v, w)
-        k = first_creep(model) + CREEP_COORDINATES * w
-        velocity = work.frame_velocity[w]
-        turn = work.frame_angular_velocity[w]
-        for side in range(2):
-            # of wheel against rail at the running circle; what a patch lies off it is small and not delayed
-            lateral = model.wheel_rail.running_circle_distance * (1 - 2 * side)
-            ahead = velocity[0] - turn[1] * model.wheel_rail.nominal_radius - turn[2] * lateral
-            sideways = velocity[1] - work.rail_velocity[w, side, 0]
-            work.creep_lag[w, side, 0] = v[k + 2 * side] - ahead
-            work.creep_lag[w, side, 1] = v[k + 2 * side + 1] - sideways
+        turn = track_turn(model.alignment, s, pitch, roll)
+        _rail_states(model, work, q, v, w, turn, gauge, settle)
+        _creep_lags(model, work, v, w)
 
 
 @inlined_kernel
-def _rail_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArray, w: int) -> None:
-    """Where the rails under a wheelset lie and how they move: track irregularity, and what gives way."""
-    state = irregularity_at(model.irregularity, work.arc_length[w])
-    lies = rail_displacements(state[0], state[1], state[2], state[3])
-    rises = rail_displacements(state[4], state[5], state[6], state[7])
-    speed = work.frame_velocity[w, 0]
+def _rail_states(
+    model: SystemModel,
+    work: Workspace,
+    q: FloatArray,
+    v: FloatArray,
+    w: int,
+    turn: TrackTurn,
+    gauge: float,
+    settle: bool,
+) -> None:
+    """Where the rails under a wheelset lie, which way they run, and how their material moves.
+
+    With `settle` sleepers do not pass: the train's force at the start is its mean over them, and not what
+    holds the vehicle on the slopes between those where it happens to stand.
+    """
+    s = work.arc_length[w]
+    irregular = irregularity_at(model.irregularity, s)
+    twist = 0.0
     for side in range(2):
-        for axis in range(2):
-            work.rail_displacement[w, side, axis] = lies[2 * side + axis]
-            work.rail_velocity[w, side, axis] = speed * rises[2 * side + axis]
-    if model.flexible:
-        k = first_track(model) + TRACK_COORDINATES * w
-        for side in range(2):
-            for axis in range(2):
-                work.rail_displacement[w, side, axis] += q[k + 2 * side + axis]
-                work.rail_velocity[w, side, axis] += v[k + 2 * side + axis]
+        shift = RailShift(0.0, 0.0, 0.0, 0.0)
+        if model.flexible:
+            k = first_track(model) + TRACK_COORDINATES * w
+            end = k + TRACK_COORDINATES
+            shift = rail_shift(model.track, s, side, q[k:end])
+            if settle:
+                shift = RailShift(shift.lateral, shift.vertical, 0.0, 0.0)
+            # of what the rail does below the wheel the passing of sleepers is no motion of its material
+            speed = work.frame_velocity[w, 0]
+            work.rail_velocity[w, side, 0] = v[k + 2 * side] - speed * shift.heading
+            work.rail_velocity[w, side, 1] = v[k + 2 * side + 1] - speed * shift.slope
+        rails = model.wheel_rail.rails_left if side == 0 else model.wheel_rail.rails_right
+        twist = rail_frame(
+            turn,
+            0.5 * gauge + gauge_point_at(rails, s),
+            1.0 - 2.0 * side,
+            irregular,
+            shift,
+            work.rail_position[w, side],
+            work.rail_rotation[w, side],
+        )
+    work.rail_turn[w, 0] = twist
+    work.rail_turn[w, 1] = turn.pitch
+    work.rail_turn[w, 2] = turn.yaw
+
+
+@inlined_kernel
+def _creep_lags(model: SystemModel, work: Workspace, v: FloatArray, w: int) -> None:
+    """How far the slip that the creepages feel lies behind that of the wheels at their running circles.
+
+    What a patch lies off the running circle is small and not delayed.
+    """
+    k = first_creep(model) + CREEP_COORDINATES * w
+    radius = model.wheel_rail.nominal_radius
+    for side in range(2):
+        rail = work.rail_rotation[w, side]
+        moves = work.rail_velocity[w, side]
+        velocity = rotate_back(
+            rail,
+            (
+                work.frame_velocity[w, 0],
+                work.frame_velocity[w, 1] - moves[0],
+                work.frame_velocity[w, 2] - moves[1],
+            ),
+        )
+        turn = rotate_back(rail, triple(work.frame_angular_velocity[w]))
+        lateral = model.wheel_rail.running_circle_distance * (1 - 2 * side)
+        ahead = velocity[0] - turn[1] * radius - turn[2] * lateral
+        sideways = velocity[1] + turn[0] * radius
+        work.creep_lag[w, side, 0] = v[k + 2 * side] - ahead
+        work.creep_lag[w, side, 1] = v[k + 2 * side + 1] - sideways
 
 
 @inlined_kernel

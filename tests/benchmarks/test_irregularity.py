@@ -25,8 +25,9 @@ def many_places(table: IrregularityTable, step: float, calls: int) -> float:
         place += step
         if place > 9000.0:
             place -= 9000.0
-        a, b, c, d, e, f, g, h = irregularity_at(table, place)
-        total += a + b + c + d + e + f + g + h
+        state = irregularity_at(table, place)
+        total += state.level + state.alignment + state.gauge + state.cross_level
+        total += state.level_slope + state.alignment_slope + state.gauge_slope + state.cross_level_slope
     return total
 
 

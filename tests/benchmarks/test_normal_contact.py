@@ -4,11 +4,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from straight_rails import no_forces, straight_rails
 
 from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.non_elliptic import NORMAL_THEORIES
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
-from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, Patch
+from hh_exudyn.contact.types import Patch, WheelsetMotion
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 
 
@@ -25,14 +26,10 @@ def test_four_wheelsets(benchmark: Any, normal: str, cells: int) -> None:
     position[:, 1] = [-0.001, -0.0003, 0.0003, 0.001]
     axle = np.tile([0.0, 1.0, 0.0], (n, 1))
     velocity = np.tile([20.0, 0.01, 0.0], (n, 1))
-    patches = np.zeros((n, 2, MAX_PATCHES, PATCH_COLUMNS))
-    displacement, rail_velocity, creep_lag, rail_force = (np.zeros((n, 2, 2)) for _ in range(4))
-    status = benchmark(
-        wheel_rail_forces, model, position, axle, velocity, axle * 20.0 / 0.46, displacement, rail_velocity,
-        creep_lag, np.full(n, 1.435), np.zeros(n), constant_friction(np.full((n, 2), 0.3)), np.zeros((n, 6)),
-        rail_force, patches,
-    )  # fmt: skip
-    assert status == 0
-    forces = patches[..., Patch.NORMAL_FORCE].sum(axis=2)
+    motion = WheelsetMotion(position, axle, velocity, axle * 20.0 / 0.46, np.zeros((n, 2, 2)))
+    rails, found = straight_rails(model, np.full(n, 1.435)), no_forces(n)
+    friction = constant_friction(np.full((n, 2), 0.3))
+    assert benchmark(wheel_rail_forces, model, motion, rails, friction, found) == 0
+    forces = found.patches[..., Patch.NORMAL_FORCE].sum(axis=2)
     assert (forces > 3e4).all()
     assert (forces < 2e5).all()

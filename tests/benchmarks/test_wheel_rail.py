@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from straight_rails import no_forces, straight_rails
 
 from hh_exudyn.contact.friction import FrictionTable, constant_friction
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
@@ -19,12 +20,14 @@ from hh_exudyn.contact.silhouette import wheel_rail_pair
 from hh_exudyn.contact.theories import FASTRIP, force_kernel
 from hh_exudyn.contact.types import (
     MAX_PATCHES,
-    PATCH_COLUMNS,
+    ContactForces,
     FloatArray,
     Patch,
+    RailMotion,
     RollingPatch,
     SplineTable,
     WheelRailModel,
+    WheelsetMotion,
 )
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 from hh_exudyn.kernel import kernel
@@ -50,52 +53,40 @@ def many_searches(
     wheel: SplineTable,
     rail: SplineTable,
     rail_y: float,
-    position: FloatArray,
+    centre: FloatArray,
     axle: FloatArray,
     amplitude: float,
     rows: FloatArray,
     calls: int,
 ) -> int:
     found = 0
-    centre = position[1]
     for i in range(calls):
-        position[1] = centre + amplitude * math.sin(0.01 * i)
-        pair = wheel_rail_pair(wheel, rail, 1.0, 0.75, RADIUS, position, axle, rail_y, 0.0)
+        centre[1] = amplitude * math.sin(0.01 * i) - rail_y
+        pair = wheel_rail_pair(wheel, rail, 1.0, 0.75, RADIUS, centre, axle)
         found += find_contacts(pair, rows)
-    position[1] = centre
     return found
 
 
 @kernel
 def many_wheelsets(
     model: WheelRailModel,
-    position: FloatArray,
-    axle: FloatArray,
-    velocity: FloatArray,
-    angular_velocity: FloatArray,
-    zero: FloatArray,
-    gauge: FloatArray,
-    arc_length: FloatArray,
+    wheelsets: WheelsetMotion,
+    rails: RailMotion,
     friction: FrictionTable,
-    wrench: FloatArray,
-    rail_force: FloatArray,
-    patches: FloatArray,
+    forces: ContactForces,
     amplitude: float,
     calls: int,
 ) -> int:
     """Calls for wheelsets that move alike; returns how many patches of the first carried load."""
     present = 0
-    centre = position[0, 1]
+    centre = wheelsets.position[0, 1]
     for i in range(calls):
-        position[:, 1] = centre + amplitude * math.sin(0.01 * i)
-        wheel_rail_forces(
-            model, position, axle, velocity, angular_velocity, zero, zero, zero, gauge,
-            arc_length, friction, wrench, rail_force, patches,
-        )  # fmt: skip
+        wheelsets.position[:, 1] = centre + amplitude * math.sin(0.01 * i)
+        wheel_rail_forces(model, wheelsets, rails, friction, forces)
         for side in range(2):
             for patch in range(MAX_PATCHES):
-                present += patches[0, side, patch, NORMAL_FORCE] > 0.0
-    position[:, 1] = centre
+                present += forces.patches[0, side, patch, NORMAL_FORCE] > 0.0
+    wheelsets.position[:, 1] = centre
     return present
 
 
@@ -122,26 +113,30 @@ def wheelset(place: str) -> tuple[tuple[Any, ...], FloatArray, float]:
     model = wheel_rail_model(wheel, wheel, rail, rail, nominal_radius=RADIUS, cells=(20, 20))
     n = WHEELSETS
     axle = np.tile([-math.sin(yaw), math.cos(yaw), 0.0], (n, 1))
-    patches = np.zeros((n, 2, MAX_PATCHES, PATCH_COLUMNS))
-    arguments = (
-        model, np.tile([0.0, 0.0, RADIUS - depth], (n, 1)), axle, np.tile([20.0, 0.0, 0.0], (n, 1)),
-        axle * 20.0 / RADIUS, np.zeros((n, 2, 2)), np.full(n, GAUGE - 2.0 * towards_rail),
-        np.zeros(n), constant_friction(np.full((n, 2), 0.4)), np.zeros((n, 6)), np.zeros((n, 2, 2)), patches,
-    )  # fmt: skip
-    return arguments, patches, amplitude
+    motion = WheelsetMotion(
+        position=np.tile([0.0, 0.0, RADIUS - depth], (n, 1)),
+        axle=axle,
+        velocity=np.tile([20.0, 0.0, 0.0], (n, 1)),
+        angular_velocity=axle * 20.0 / RADIUS,
+        creep_lag=np.zeros((n, 2, 2)),
+    )
+    forces = no_forces(n, 0.0)
+    rails = straight_rails(model, np.full(n, GAUGE - 2.0 * towards_rail))
+    arguments = (model, motion, rails, constant_friction(np.full((n, 2), 0.4)), forces)
+    return arguments, forces.patches, amplitude
 
 
 @pytest.mark.parametrize("place", PLACES)
 def test_search(benchmark: Callable[..., Any], place: str) -> None:
     """A thousand wheels."""
     arguments, _, amplitude = wheelset(place)
-    model, position, axle, gauge = arguments[0], arguments[1][0], arguments[2][0], arguments[6][0]
-    rail, gauge_point = rail_at(model.rails_left, 0.0)
-    rail_y = 0.5 * gauge + gauge_point
+    model, motion, rails, *_ = arguments
+    centre, axle, rail_y = motion.position[0], motion.axle[0], rails.position[0, 0, 0]
+    rail, _ = rail_at(model.rails_left, 0.0)
     rows = np.zeros((MAX_MINIMA, CONTACT_COLUMNS))
     tables = model.wheel_left, rail
-    many_searches(*tables, rail_y, position, axle, amplitude, rows, 1)
-    assert benchmark(many_searches, *tables, rail_y, position, axle, amplitude, rows, CALLS) >= CALLS
+    many_searches(*tables, rail_y, centre, axle, amplitude, rows, 1)
+    assert benchmark(many_searches, *tables, rail_y, centre, axle, amplitude, rows, CALLS) >= CALLS
 
 
 @pytest.mark.parametrize("place", PLACES)

@@ -4,10 +4,11 @@ import math
 
 import numpy as np
 import pytest
+from straight_rails import no_forces, straight_rails
 
 from hh_exudyn.contact.friction import FrictionTable, constant_friction, friction_at
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
-from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, Patch, WheelRailModel
+from hh_exudyn.contact.types import Patch, WheelRailModel, WheelsetMotion
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 from track.friction import Falling, Friction, FrictionSection, Zones
 
@@ -36,15 +37,11 @@ def solve(
     y, z, yaw = places.T * np.array([[mirror], [1.0], [mirror]])
     axle = np.column_stack([-np.sin(yaw), np.cos(yaw), np.zeros(n)])
     velocity = np.tile([SPEED, 0.0, 0.0], (n, 1))
-    still = np.zeros((n, 2, 2))
-    patches = np.full((n, 2, MAX_PATCHES, PATCH_COLUMNS), np.nan)
-    status = wheel_rail_forces(
-        MODELS[normal], np.column_stack([np.zeros(n), y, R0 + z]), axle, velocity, axle * SPEED / R0,
-        still, still, still, np.full(n, GAUGE), arc_length, table, np.zeros((n, 6)), np.zeros((n, 2, 2)),
-        patches,
-    )  # fmt: skip
-    assert status == 0
-    return patches
+    position = np.column_stack([np.zeros(n), y, R0 + z])
+    motion = WheelsetMotion(position, axle, velocity, axle * SPEED / R0, np.zeros((n, 2, 2)))
+    rails, forces = straight_rails(MODELS[normal], np.full(n, GAUGE), arc_length), no_forces(n)
+    assert wheel_rail_forces(MODELS[normal], motion, rails, table, forces) == 0
+    return forces.patches
 
 
 def places(yaw: float = 3e-3) -> np.ndarray:

@@ -22,8 +22,8 @@ ROUND_OFF = 1e-4  # of a derivative by differences over a micrometre [1/m], rela
 
 def pair_at(y: float, z: float, yaw: float, roll: float, side: float) -> WheelRailPair:
     axle = np.array([-math.sin(yaw) * math.cos(roll), math.cos(yaw) * math.cos(roll), math.sin(roll)])
-    position = np.array([0.0, side * y, z])
-    return wheel_rail_pair(WHEEL, RAIL, side, 0.75, 0.46, position, axle, side * RAIL_Y, 0.0)
+    centre = np.array([0.0, side * (y - RAIL_Y), z])
+    return wheel_rail_pair(WHEEL, RAIL, side, 0.75, 0.46, centre, axle)
 
 
 def node(i: int) -> float:

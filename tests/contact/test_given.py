@@ -2,43 +2,31 @@
 
 import numpy as np
 import pytest
+from straight_rails import no_forces, straight_rails
 
 from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.given import given_contact_model
-from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, GivenCreep
+from hh_exudyn.contact.types import GivenCreep, WheelsetMotion
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces
-from hh_exudyn.kernel import kernel
 
 CREEP = GivenCreep(1.2e7, 0.9e7, 0.15)
 HALF, RADIUS, SPEED = 0.716, 0.46, 20.0
 
 
-@kernel
-def _call(model, position, axle, velocity, turn, zero, gauge, friction, wrench, rail_force, patches):
-    return wheel_rail_forces(
-        model, position, axle, velocity, turn, zero, zero, zero, gauge, np.zeros(1), friction,
-        wrench, rail_force, patches,
-    )  # fmt: skip
-
-
 def wrench(lateral=0.0, yaw=0.0, velocity=(SPEED, 0.0, 0.0), yaw_rate=0.0, gauge=1.435):
     """Force and moment on a wheelset pressed 20 um into its rails."""
-    found, rail_force = np.zeros((1, 6)), np.zeros((1, 2, 2))
-    status = _call(
-        given_contact_model(CREEP, HALF, RADIUS),
-        np.array([[0.0, lateral, RADIUS - 20e-6]]),
-        np.array([[-np.sin(yaw), np.cos(yaw), 0.0]]),
-        np.array([velocity]),
-        SPEED / RADIUS * np.array([[-np.sin(yaw), np.cos(yaw), 0.0]]) + [0.0, 0.0, yaw_rate],
-        np.zeros((1, 2, 2)),
-        np.array([gauge]),
-        constant_friction([[0.3, 0.3]]),
-        found,
-        rail_force,
-        np.zeros((1, 2, MAX_PATCHES, PATCH_COLUMNS)),
+    model = given_contact_model(CREEP, HALF, RADIUS)
+    axle = np.array([[-np.sin(yaw), np.cos(yaw), 0.0]])
+    motion = WheelsetMotion(
+        position=np.array([[0.0, lateral, RADIUS - 20e-6]]),
+        axle=axle,
+        velocity=np.array([velocity]),
+        angular_velocity=SPEED / RADIUS * axle + [0.0, 0.0, yaw_rate],
+        creep_lag=np.zeros((1, 2, 2)),
     )
-    assert status == 0
-    return found[0]
+    rails, forces = straight_rails(model, np.array([gauge])), no_forces(1)
+    assert wheel_rail_forces(model, motion, rails, constant_friction([[0.3, 0.3]]), forces) == 0
+    return forces.wrench[0]
 
 
 def test_displacement_yaws_by_conicity_and_nothing_else():

@@ -25,8 +25,7 @@ def wheel_at(y: float, height: float) -> WheelRailPair:
     """The left wheel, with 4 mrad of yaw."""
     return wheel_rail_pair(
         MODEL.wheel_left, RAIL_TABLE, 1.0, MODEL.running_circle_distance, RADIUS,
-        np.array([0.0, y, height]), np.array([-4e-3, math.sqrt(1 - 16e-6), 0.0]),
-        0.7175 + GAUGE_POINT, 0.0,
+        np.array([0.0, y - 0.7175 - GAUGE_POINT, height]), np.array([-4e-3, math.sqrt(1 - 16e-6), 0.0]),
     )  # fmt: skip
 
 

@@ -4,12 +4,13 @@ import math
 
 import numpy as np
 import pytest
+from straight_rails import no_forces, straight_rails
 
 from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.profile import Profile, gauge_point, rail_profile, wheel_profile
 from hh_exudyn.contact.profile_spline import spline_evaluate, spline_table, uniform_table
 from hh_exudyn.contact.rail_tables import RailCourse, rail_at, rail_tables
-from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, Patch, SplineTable, WheelRailModel
+from hh_exudyn.contact.types import Patch, SplineTable, WheelRailModel, WheelsetMotion
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 
 R0, GAUGE, CHANGE = 0.46, 1.445, 100.0
@@ -31,15 +32,12 @@ def forces(contact: WheelRailModel, s: np.ndarray, lateral: np.ndarray, mirrored
     axle = np.tile([-math.sin(yaw), math.cos(yaw), roll], (n, 1))
     position = np.tile([0.0, 0.0, R0 - 450e-6], (n, 1))
     position[:, 1] = flip * lateral
-    rail_force, patches = np.empty((n, 2, 2)), np.empty((n, 2, MAX_PATCHES, PATCH_COLUMNS))
-    still = np.zeros((n, 2, 2))
-    status = wheel_rail_forces(
-        contact, position, axle, np.tile([15.0, 0.0, 0.0], (n, 1)), axle * 15.0 / R0, still, still, still,
-        np.full(n, GAUGE), s, constant_friction([[0.3, 0.3]] * n), np.empty((n, 6)), rail_force, patches,
-    )  # fmt: skip
-    assert status == 0
+    velocity = np.tile([15.0, 0.0, 0.0], (n, 1))
+    motion = WheelsetMotion(position, axle, velocity, axle * 15.0 / R0, np.zeros((n, 2, 2)))
+    rails, found = straight_rails(contact, np.full(n, GAUGE), s), no_forces(n)
+    assert wheel_rail_forces(contact, motion, rails, constant_friction([[0.3, 0.3]] * n), found) == 0
     columns = [Patch.Y_WHEEL, Patch.Y_RAIL, Patch.CONTACT_ANGLE]
-    return np.concatenate([rail_force, patches[:, :, 0, columns]], axis=2)
+    return np.concatenate([found.rail_force, found.patches[:, :, 0, columns]], axis=2)
 
 
 @pytest.mark.parametrize(("s", "rail"), [(-1e3, ONE), (98.999, ONE), (101.001, OTHER), (1e4, OTHER)])

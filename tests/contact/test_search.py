@@ -34,9 +34,8 @@ class Pair:
 
     def contacts(self, y: float, z: float, yaw: float = 0.0, roll: float = 0.0) -> np.ndarray:
         rows = np.zeros((MAX_MINIMA, CONTACT_COLUMNS))
-        pair = wheel_rail_pair(
-            WHEEL, self.rail, self.side, D, R0, np.array([0.0, y, z]), axle(yaw, roll), self.rail_y, 0.0
-        )
+        centre = np.array([0.0, y - self.rail_y, z])
+        pair = wheel_rail_pair(WHEEL, self.rail, self.side, D, R0, centre, axle(yaw, roll))
         return rows[: find_contacts(pair, rows)]
 
     def touching_height(self, y: float, yaw: float = 0.0, roll: float = 0.0) -> float:

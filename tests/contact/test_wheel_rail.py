@@ -7,6 +7,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
+from straight_rails import no_forces, straight_rails
 
 from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.hertz import hertz_patch
@@ -15,7 +17,7 @@ from hh_exudyn.contact.non_elliptic import CURVATURE_FLOOR
 from hh_exudyn.contact.profile import Profile, rail_profile, wheel_profile
 from hh_exudyn.contact.profile_spline import spline_evaluate
 from hh_exudyn.contact.rail_tables import rail_at
-from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, Patch, WheelRailModel
+from hh_exudyn.contact.types import Patch, WheelRailModel, WheelsetMotion
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 
 REFERENCE = Path(__file__).parents[1] / "reference" / "wheel_rail_mbench_a22.csv"
@@ -45,9 +47,8 @@ class State:
         self.gauge = np.full(n, GAUGE)
         self.arc_length = np.zeros(n)
         self.friction = np.full((n, 2), 0.3)
-        self.wrench = np.full((n, 6), np.nan)  # the kernel must overwrite them
-        self.rail_force = np.full((n, 2, 2), np.nan)
-        self.patches = np.full((n, 2, MAX_PATCHES, PATCH_COLUMNS), np.nan)
+        self.forces = no_forces(n)
+        self.wrench, self.rail_force, self.patches = self.forces
         self.status = -1
 
     def point(self, yaw: float, roll: float = 0.0, i: int = 0) -> None:
@@ -58,11 +59,14 @@ class State:
         self.angular_velocity[i] = self.axle[i] * speed / radius + np.array([0.0, 0.0, yaw_rate])
 
     def solve(self, contact_model: WheelRailModel = MODEL) -> "State":
-        self.status = wheel_rail_forces(
-            contact_model, self.position, self.axle, self.velocity, self.angular_velocity,
-            self.rail_displacement, self.rail_velocity, self.creep_lag, self.gauge, self.arc_length,
-            constant_friction(self.friction), self.wrench, self.rail_force, self.patches,
-        )  # fmt: skip
+        motion = WheelsetMotion(
+            self.position, self.axle, self.velocity, self.angular_velocity, self.creep_lag
+        )
+        rails = straight_rails(
+            contact_model, self.gauge, self.arc_length, self.rail_displacement, self.rail_velocity
+        )
+        friction = constant_friction(self.friction)
+        self.status = wheel_rail_forces(contact_model, motion, rails, friction, self.forces)
         return self
 
     def rows(self, i: int = 0, side: int = 0) -> np.ndarray:
@@ -167,6 +171,42 @@ def test_creepages_are_the_small_angle_formulas() -> None:
         )  # yaw times the longitudinal creepage: 3e-7
         spin = yaw_rate * math.cos(angle) / speed - sign * math.sin(angle) / radius
         assert row[Patch.PHI] == pytest.approx(spin, abs=1e-6)
+
+
+@pytest.mark.parametrize("normal", ["hertz", "analyn"])
+def test_a_wheelset_turned_with_its_rails_feels_the_same(normal: str) -> None:
+    """Rails that run to the side, uphill and rolled, and a wheelset that does too: the same patches.
+
+    From tread to flange; wrench and rail forces are turned, and R alone says how the rails run.
+    """
+    contact = model(normal=normal)
+    state = random_state(60, 5)
+    state.position[:, 1] *= 1.45  # up to the flanges
+    state.rail_displacement[:] = state.rail_velocity[:] = 0.0
+    state.solve(contact)
+    angles = np.random.default_rng(8).uniform(-1, 1, 3) * [8e-3, 4e-3, 6e-3]
+    turn = Rotation.from_euler("ZYX", angles)
+    matrix = turn.as_matrix()
+    rails = straight_rails(contact, state.gauge)
+    origin = np.concatenate([np.zeros((60, 2, 1)), rails.position], axis=2) @ matrix.T
+    origin -= origin[..., :1] / matrix[0, 0] * matrix[:, 0]  # to x = 0 along the rail
+    turned = rails._replace(position=origin[..., 1:].copy(), rotation=np.tile(matrix, (60, 2, 1, 1)))
+    vectors = (state.position, state.axle, state.velocity, state.angular_velocity)
+    motion = WheelsetMotion(*(turn.apply(vector) for vector in vectors), state.creep_lag)
+    forces = no_forces(60)
+    assert wheel_rail_forces(contact, motion, turned, constant_friction(state.friction), forces) == 0
+    # creepages and forces but for the cosine in the speed that they refer to
+    columns = [column for column in Patch if column not in (Patch.X_SHIFT, Patch.POWER)]
+    np.testing.assert_allclose(
+        forces.patches[..., columns], state.patches[..., columns], rtol=2e-3, atol=1e-6
+    )
+    exact = [Patch.Y_WHEEL, Patch.Y_RAIL, Patch.CONTACT_ANGLE, Patch.ROLLING_RADIUS, Patch.APPROACH]
+    np.testing.assert_allclose(forces.patches[..., exact], state.patches[..., exact], rtol=1e-8, atol=1e-12)
+    for k in (slice(0, 3), slice(3, 6)):
+        np.testing.assert_allclose(
+            forces.wrench[:, k], turn.apply(state.wrench[:, k]), rtol=2e-3, atol=1e-3 * 1e5
+        )
+    assert (state.patches[..., Patch.CONTACT_ANGLE] > np.radians(40)).any()
 
 
 def test_power_balance_and_geometry_of_the_wrench() -> None:

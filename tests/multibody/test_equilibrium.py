@@ -74,7 +74,7 @@ def test_deflections_are_plausible(demo):
         pads = drop(wagon, state, "side_frame_1L") - drop(wagon, state, "wheelset_1")
         assert 0.0 < pads < 1e-3
         if name == "iore_wagon_loaded":
-            assert 1e-3 < -work.rail_displacement[0, 0, 1] < 3e-3
+            assert 1e-3 < -work.rail_position[0, 0, 1] < 3e-3
 
 
 def test_wheels_roll_and_the_train_hardly_pulls(settled):

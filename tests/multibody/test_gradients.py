@@ -135,12 +135,8 @@ def test_a_canted_curve_on_a_slope_is_steady_as_statics_say(demo, runs):
     stored = spring_energy(WAGON, table(run, "motion"))
     assert stored[0] == pytest.approx(32.8e3, rel=0.01)
     assert -2e3 < stored[-1] - stored[0] < -500.0
-    missing = gained + stored - stored[0] - given
-    # rails are taken as running along the track's middle: on a cant ramp the outer one lifts for nothing
-    turned = whole.s > 80.0
-    for_nothing = -0.5 * (wheel_means(contact, "Q") * [1, -1]).sum() * CANT / 2
-    assert missing[-1] == pytest.approx(for_nothing, rel=0.3)
-    assert np.ptp(missing[turned]) < 150.0
+    missing = gained + stored - stored[0] - given  # elastic energy of pads and contacts: tens of J
+    assert np.abs(missing).max() < 150.0  # of 1.7 MJ, the cant ramp included
 
 
 @pytest.fixture(scope="module")

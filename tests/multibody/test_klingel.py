@@ -2,31 +2,11 @@
 
 import numpy as np
 import pytest
+from free_wheelset import CONICITY, conical_wheel, free_wheelset
 from run_tables import table
 
 from hh_exudyn.contact.profile import gauge_point, rail_profile
 from hh_exudyn.multibody.simulate import simulate
-from vehicles.description import Body, Coupler, Vehicle, Wheelset
-
-CONICITY, RADIUS = 0.05, 0.46
-
-
-def free_wheelset() -> Vehicle:
-    """A wheelset pulled at its axle's middle: nothing holds it laterally or in yaw."""
-    body = Body("wheelset_1", "wheelset", 2000.0, (1000.0, 120.0, 1000.0), (0.0, 0.0, RADIUS))
-    train = Coupler(("wheelset_1",) * 2, ((0.0, 0.0, RADIUS), (0.0, 0.0, RADIUS)), stiffness=2e4, damping=1e4)
-    return Vehicle("free_wheelset", (body,), (), (Wheelset("wheelset_1", 1, RADIUS),), train, {})
-
-
-def conical_wheel(path):
-    """A cone of 1:20 that bends over 12 mm into a 70 degree flange, two columns in mm."""
-    y = np.arange(-60.0, 45.0, 0.1)
-    bend = np.clip((y - 28.0) / 12.0, 0.0, 1.0)
-    slope = CONICITY + (np.tan(np.radians(70)) - CONICITY) * bend**2 * (3 - 2 * bend)
-    z = -np.concatenate([[0.0], np.cumsum((slope[1:] + slope[:-1]) / 2 * np.diff(y))])
-    z -= np.interp(0.0, y, z)
-    np.savetxt(path, np.column_stack([y, z]), fmt="%.5f")
-    return str(path)
 
 
 def test_free_wheelset_runs_in_klingels_wave(demo, runs, tmp_path):

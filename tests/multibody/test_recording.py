@@ -48,6 +48,8 @@ def writer(model):
     for array in work:
         array[:] = rng.uniform(0.1, 1.0, array.shape)
     work.rotation[:] = Rotation.random(BODIES, rng=rng).as_matrix()
+    work.rail_rotation[:] = Rotation.random(8, rng=rng).as_matrix().reshape(4, 2, 3, 3)
+    work.frame_axle[:] /= np.linalg.norm(work.frame_axle, axis=1)[:, None]
     work.position[:, 0] = np.linspace(15.0, 5.0, BODIES)  # on the straight
     work.arc_length[:] = np.linspace(14.0, 6.0, work.arc_length.size)
     v = rng.uniform(0.1, 1.0, coordinates(model))
@@ -73,7 +75,11 @@ def test_contact_rows_are_the_patches_by_name(writer):
         assert rows.bogie[k] == WAGON.wheelsets[wheelset].bogie
         assert rows.speed[k] == work.frame_velocity[wheelset, 0]
         assert rows.y_wheelset[k] == work.frame_position[wheelset, 1]
-        assert rows.roll[k] == pytest.approx(math.asin(work.frame_axle[wheelset, 2]), rel=1e-12)
+        axle = work.frame_axle[wheelset]
+        assert rows.yaw[k] == pytest.approx(math.atan2(-axle[0], axle[1]), rel=1e-12)
+        against = work.rail_rotation[wheelset, index].T @ axle
+        assert rows.roll[k] == pytest.approx(math.asin(against[2]), rel=1e-12)
+        assert rows.angle_of_attack[k] == pytest.approx(math.atan2(-against[0], against[1]), rel=1e-12)
         assert rows.Q[k] == -work.rail_force[wheelset, index, 1]
         assert rows.Y[k] == rows.side[k] * work.rail_force[wheelset, index, 0]
     assert len({*zip(rows.wheelset, rows.side, rows.patch, strict=True)}) == rows.time.size
@@ -91,12 +97,17 @@ def test_only_patches_that_carry_load_are_logged(writer):
 
 
 @pytest.mark.parametrize("angle", [-0.02, 0.0, 0.005])
-def test_angle_of_attack_is_the_yaw_of_the_axle(writer, angle):
-    """Positive to the left, whatever the roll of the wheelset."""
+def test_angle_of_attack_is_the_yaw_of_the_axle_to_the_rail(writer, angle):
+    """Positive to the left, whatever the roll of the wheelset; yaw is that to the track."""
     work, v, kept, log = writer
     work.frame_axle[:] = Rotation.from_euler("ZX", [angle, 0.03]).apply([0.0, 1.0, 0.0])
+    work.rail_rotation[:, 0] = Rotation.from_euler("Z", 0.002).as_matrix()
+    work.rail_rotation[:, 1] = np.eye(3)
     log.write(0.0, v)
-    assert kept.table("contact").angle_of_attack == pytest.approx(angle, abs=1e-15)
+    rows = kept.table("contact")
+    assert rows.yaw == pytest.approx(angle, abs=1e-15)
+    assert rows.angle_of_attack[rows.side == 1] == pytest.approx(angle - 0.002, abs=1e-15)
+    assert rows.angle_of_attack[rows.side == -1] == pytest.approx(angle, abs=1e-15)
 
 
 def rotations():

@@ -27,7 +27,7 @@ def parabolic_pair(wheel: float, rail: float, approach: float) -> WheelRailPair:
     """A wheel of lateral curvature `wheel` on a rail of curvature `rail` (convex positive) [1/m]."""
     return wheel_rail_pair(
         parabola(wheel), parabola(-rail), 1.0, 0.75, RADIUS,
-        np.array([0.0, 0.0, RADIUS - approach]), np.array([0.0, 1.0, 0.0]), 0.75, 0.0,
+        np.array([0.0, -0.75, RADIUS - approach]), np.array([0.0, 1.0, 0.0]),
     )  # fmt: skip
 
 

@@ -9,7 +9,7 @@ from scipy.signal import welch
 from scipy.stats import chi2
 
 from track.irregularity import Irregularity, random_irregularity, random_phases
-from track.irregularity_table import irregularity_at, rail_displacements, smooth_track
+from track.irregularity_table import irregularity_at, smooth_track
 from track.spectra import SIGNALS, spectrum
 from track.wavelength_bands import D1, D2, band_pass
 
@@ -190,22 +190,6 @@ def test_second_derivatives_of_waves_are_right() -> None:
     assert slope == pytest.approx(1e-3 * k * math.cos(k * at), abs=5e-6)
     node = 15 * 4 + 3 + 32  # a crest, behind the 32 nodes before the start
     assert table.nodes[node, 4] == pytest.approx(-1e-3 * k * k, rel=0.025)
-
-
-def test_rails_move_as_the_signals_say() -> None:
-    """Left is +y, up is +z."""
-    y_left, z_left, y_right, z_right = rail_displacements(0.005, 0.002, 0.010, 0.004)
-    assert 0.5 * (z_left + z_right) == pytest.approx(0.005)  # too high
-    assert 0.5 * (y_left + y_right) == pytest.approx(0.002)  # too far left
-    assert y_left - y_right == pytest.approx(0.010)  # wide: the left rail outwards to +y
-    assert z_right - z_left == pytest.approx(0.004)  # as the cant column: the right rail is the higher one
-    assert rail_displacements(0.0, 0.0, 0.010, 0.0) == (0.005, 0.0, -0.005, 0.0)
-
-
-def test_the_mirror_image_swaps_the_rails(rough: Irregularity) -> None:
-    here, there = rough.values[123], rough.mirrored().values[123]
-    y_left, z_left, y_right, z_right = rail_displacements(*here)
-    assert rail_displacements(*there) == pytest.approx((-y_right, z_right, -y_left, z_left), abs=1e-18)
 
 
 def test_too_coarse_samples_are_refused() -> None:
