@@ -85,9 +85,9 @@ def within(module: str, part: str) -> bool:
 
 
 def git(root: Path, *words: str) -> str:
-    """What git says about the repository at `root`, whatever repository a hook that calls the tests is in."""
+    """What git says about the repository at `root`, wherever a hook that calls the tests may stand."""
     env = {name: value for name, value in os.environ.items() if not name.startswith("GIT_")}
-    trusted = ["-c", "safe.directory=*"]  # a checkout that another user owns: it is only read, and its tests run
+    trusted = ["-c", "safe.directory=*"]  # also of another user: it is only read, and its code runs anyway
     return subprocess.run(
         ["git", *trusted, "-C", str(root), *words], env=env, check=True, capture_output=True, text=True
     ).stdout
@@ -108,7 +108,8 @@ def project_files(root: Path) -> list[str]:
         if not lists:
             raise FileNotFoundError(f"{root} is no git repository (or git is not there) and no sdist")
         listed = lists[0].read_text().splitlines()
-    return sorted(name for name in listed if (root / name).is_file())  # not what was deleted and not yet staged
+    # a file that was deleted stays in the index until that is staged
+    return sorted(name for name in listed if (root / name).is_file())
 
 
 def modules_of(root: Path, files: list[str]) -> dict[str, Path]:
@@ -184,7 +185,8 @@ def violations(root: Path, files: list[str]) -> list[str]:
     if cycle := cycle_in(graph):
         found.append("import cycle: " + " -> ".join(cycle))
     for entry in sorted({Path(name).parts[0] for name in files}):
-        if entry not in TOP_LEVEL | IN_SDIST and not entry.startswith(".") and not entry.endswith(".egg-info"):
+        known = entry in TOP_LEVEL | IN_SDIST
+        if not known and not entry.startswith(".") and not entry.endswith(".egg-info"):
             found.append(f"{entry}: nothing else belongs at the top level")
     return found
 
