@@ -1,10 +1,15 @@
 """The house of the project, held by machine: who may import whom, and the shape of the source tree.
 
-`violations` walks the syntax trees of a checkout; the second half of the file shows on small trees that every
-rule can fail.
+`violations` walks the syntax trees of the project's files; the second half of the file shows on small trees
+that every rule can fail. The project's files are what git tracks (or is about to: the index), in an unpacked
+sdist what its SOURCES.txt lists. Whatever else lies in the folder - the demo's output, runs, a build, notes -
+is its owner's business.
 """
 
 import ast
+import os
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -12,7 +17,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGES = ("hh_exudyn", "vehicles", "track", "damage")
 TOP_LEVEL = {*PACKAGES, "tests", "examples", "pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md"}
-LEFTOVERS = {"build", "dist", "runs", "__pycache__"}  # what tools leave behind, ignored by git
+IN_SDIST = {"PKG-INFO", "setup.cfg"}  # what setuptools adds to an sdist, beside its egg-info
 LINES = 400
 
 BASE = ("hh_exudyn", "hh_exudyn.conventions", "hh_exudyn.kernel")  # everything may import these
@@ -79,13 +84,41 @@ def within(module: str, part: str) -> bool:
     return module == part or (part != "hh_exudyn" and module.startswith(part + "."))
 
 
-def modules_of(root: Path) -> dict[str, Path]:
+def git(root: Path, *words: str) -> str:
+    """What git says about the repository at `root`, wherever a hook that calls the tests may stand."""
+    env = {name: value for name, value in os.environ.items() if not name.startswith("GIT_")}
+    trusted = ["-c", "safe.directory=*"]  # also of another user: it is only read, and its code runs anyway
+    return subprocess.run(
+        ["git", *trusted, "-C", str(root), *words], env=env, check=True, capture_output=True, text=True
+    ).stdout
+
+
+def project_files(root: Path) -> list[str]:
+    """The project's files at `root`, relative, with slashes: tracked by git, else listed in an sdist.
+
+    Raises
+    ------
+    FileNotFoundError
+        Where neither says what belongs to the project (an archive without its repository, not installed).
+    """
+    if (root / ".git").exists() and shutil.which("git"):
+        listed = git(root, "ls-files", "-z").split("\0")
+    else:
+        lists = sorted(root.glob("*.egg-info/SOURCES.txt"))
+        if not lists:
+            raise FileNotFoundError(f"{root} is no git repository (or git is not there) and no sdist")
+        listed = lists[0].read_text().splitlines()
+    # a file that was deleted stays in the index until that is staged
+    return sorted(name for name in listed if (root / name).is_file())
+
+
+def modules_of(root: Path, files: list[str]) -> dict[str, Path]:
     """All modules of the packages by dotted name."""
     found = {}
-    for package in PACKAGES:
-        for path in sorted((root / package).rglob("*.py")):
-            parts = path.relative_to(root).with_suffix("").parts
-            found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    for name in files:
+        parts = Path(name).with_suffix("").parts
+        if name.endswith(".py") and parts[0] in PACKAGES:
+            found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = root / name
     return found
 
 
@@ -125,9 +158,9 @@ def cycle_in(graph: dict[str, set[str]]) -> list[str]:
     return next((cycle for node in sorted(graph) if (cycle := visit(node, []))), [])
 
 
-def violations(root: Path) -> list[str]:
-    """Every breach of the house rules in a checkout."""
-    modules = modules_of(root)
+def violations(root: Path, files: list[str]) -> list[str]:
+    """Every breach of the house rules in the project's files, relative to `root`."""
+    modules = modules_of(root, files)
     graph, found = {}, []
     for module, path in modules.items():
         targets, bad = imports_of(path, module, set(modules))
@@ -151,19 +184,29 @@ def violations(root: Path) -> list[str]:
             found.append(f"{module}: {length} lines, at most {LINES}")
     if cycle := cycle_in(graph):
         found.append("import cycle: " + " -> ".join(cycle))
-    for entry in sorted(root.iterdir()):
-        known = TOP_LEVEL | LEFTOVERS
-        if entry.name not in known and not entry.name.startswith(".") and entry.suffix != ".egg-info":
-            found.append(f"{entry.name}: nothing else belongs at the top level")
+    for entry in sorted({Path(name).parts[0] for name in files}):
+        known = entry in TOP_LEVEL | IN_SDIST
+        if not known and not entry.startswith(".") and not entry.endswith(".egg-info"):
+            found.append(f"{entry}: nothing else belongs at the top level")
     return found
 
 
-def test_house_rules_hold() -> None:
-    assert violations(ROOT) == []
+@pytest.fixture(scope="module")
+def files() -> list[str]:
+    """The files of this project."""
+    try:
+        return project_files(ROOT)
+    except FileNotFoundError as error:
+        pytest.skip(f"nothing says which files are the project's: {error}")
 
 
-def test_examples_are_numbered_and_short() -> None:
-    for path in sorted((ROOT / "examples").glob("*.py")):
+def test_house_rules_hold(files: list[str]) -> None:
+    assert len(modules_of(ROOT, files)) > 100
+    assert violations(ROOT, files) == []
+
+
+def test_examples_are_numbered_and_short(files: list[str]) -> None:
+    for path in (ROOT / name for name in files if name.startswith("examples/") and name.endswith(".py")):
         assert path.name[:2].isdigit(), path.name
         assert len(path.read_text().splitlines()) < 60, path.name
 
@@ -194,20 +237,62 @@ BREACHES = {
 }
 
 
-def tree(root: Path, files: dict[str, str]) -> Path:
-    for name, text in files.items():
+def tree(root: Path, texts: dict[str, str]) -> list[str]:
+    """Write files; their names."""
+    for name, text in texts.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text)
-    return root
+    return sorted(texts)
 
 
 def test_clean_tree_passes(tmp_path: Path) -> None:
-    assert violations(tree(tmp_path, CLEAN)) == []
+    assert violations(tmp_path, tree(tmp_path, CLEAN)) == []
 
 
 @pytest.mark.parametrize("name", BREACHES)
 def test_breach_is_found(tmp_path: Path, name: str) -> None:
-    files, message = BREACHES[name]
-    found = violations(tree(tmp_path, CLEAN | files))
+    texts, message = BREACHES[name]
+    found = violations(tmp_path, tree(tmp_path, CLEAN | texts))
     assert len(found) == 1
     assert message in found[0]
+
+
+LEFT_LYING = {  # by the demo, by pip, by the user
+    "demo/case.toml": "",
+    "runs/notes.md": "",
+    "notes.txt": "",
+    "build/lib/track/gone.py": "from . import gone",
+    "track/draft.py": "import exudyn",
+}
+
+
+@pytest.mark.skipif(not shutil.which("git"), reason="git is not there")
+def test_of_a_repository_only_what_git_tracks_counts(tmp_path: Path) -> None:
+    """Untracked files are left alone, ignored or not; a file counts from `git add` on."""
+    git(tmp_path, "init", "--quiet")
+    tracked = tree(tmp_path, CLEAN)
+    git(tmp_path, "add", ".")
+    tree(tmp_path, LEFT_LYING)
+    assert project_files(tmp_path) == tracked
+    assert violations(tmp_path, project_files(tmp_path)) == []
+    git(tmp_path, "add", "notes.txt", "track/draft.py")
+    found = violations(tmp_path, project_files(tmp_path))
+    assert [line.split(":")[0] for line in found] == ["track.draft", "notes.txt"]
+    (tmp_path / "notes.txt").unlink()
+    assert "notes.txt" not in project_files(tmp_path)
+
+
+def test_of_an_unpacked_sdist_only_what_it_lists_counts(tmp_path: Path) -> None:
+    listed = tree(tmp_path, CLEAN | {"PKG-INFO": "", "setup.cfg": "", "hh_exudyn.egg-info/PKG-INFO": ""})
+    listed += ["hh_exudyn.egg-info/SOURCES.txt"]
+    tree(tmp_path, {listed[-1]: "\n".join(listed)} | LEFT_LYING)
+    assert project_files(tmp_path) == sorted(listed)
+    assert violations(tmp_path, project_files(tmp_path)) == []
+    tree(tmp_path, {listed[-1]: "\n".join([*listed, "runs/notes.md"])})
+    assert violations(tmp_path, project_files(tmp_path)) == ["runs: nothing else belongs at the top level"]
+
+
+def test_where_nothing_lists_the_files_that_is_said(tmp_path: Path) -> None:
+    tree(tmp_path, CLEAN)
+    with pytest.raises(FileNotFoundError, match="no git repository"):
+        project_files(tmp_path)

@@ -78,19 +78,19 @@ def _s1002_height(y: float) -> float:
     return 9.519259302 + math.sqrt(max(20.5**2 - (y + 49.5) ** 2, 0.0))
 
 
-class _Head(NamedTuple):
+class RailHead(NamedTuple):
     """Arcs of half a rail head from the crown outwards; the last runs to the 1:20 flank [mm]."""
 
-    radii: tuple[float, ...]
+    radii: tuple[float, ...]  # crown first
     ends: tuple[float, ...]  # lateral position where each arc but the last ends
 
 
 # EN 13674-1, drawings of the rail heads
 _HEADS = {
-    "54E1": _Head((300.0, 80.0, 13.0), (10.012, 24.8635)),
-    "54E2": _Head((300.0, 80.0, 13.0), (9.473, 23.155)),
-    "60E1": _Head((300.0, 80.0, 13.0), (10.228, 26.0265)),
-    "60E2": _Head((200.0, 70.0, 16.0, 8.0), (11.889, 24.4565, 35.387)),
+    "54E1": RailHead((300.0, 80.0, 13.0), (10.012, 24.8635)),
+    "54E2": RailHead((300.0, 80.0, 13.0), (9.473, 23.155)),
+    "60E1": RailHead((300.0, 80.0, 13.0), (10.228, 26.0265)),
+    "60E2": RailHead((200.0, 70.0, 16.0, 8.0), (11.889, 24.4565, 35.387)),
 }
 RAIL_HEADS = tuple(sorted(_HEADS))
 
@@ -99,19 +99,23 @@ _FLANK_LENGTH_MM = 12.0
 
 
 def rail_head_coordinates(name: str) -> tuple[FloatArray, FloatArray]:
-    """An upright rail head with both flanks, symmetric, crown at the origin.
+    """An upright standard rail head, one of `RAIL_HEADS`: `head_coordinates` of its drawing."""
+    return head_coordinates(_HEADS[name])
+
+
+def head_coordinates(head: RailHead) -> tuple[FloatArray, FloatArray]:
+    """An upright rail head with both flanks of 1:20, symmetric, crown at the origin.
 
     Parameters
     ----------
-    name : str
-        One of `RAIL_HEADS`.
+    head : RailHead
+        Its arcs from the crown outwards [mm].
 
     Returns
     -------
     y, z : FloatArray
         [m], y increasing; spacing about 0.1 mm along the head.
     """
-    head = _HEADS[name]
     ys = [np.zeros(1)]
     zs = [np.zeros(1)]
     angle = 0.0  # of the normal to the vertical; arcs join with a common tangent

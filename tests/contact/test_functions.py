@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from manchester_rail import manchester_rail
 
 from hh_exudyn.contact.conicity import conicity_from_radius_difference
 from hh_exudyn.contact.functions import (
@@ -183,13 +184,12 @@ def test_the_roll_sets_both_wheels_on_the_rails() -> None:
     assert rolled.roll[near] == pytest.approx(expected[near], rel=0.02, abs=1e-9)
 
 
-def test_positions_roll_and_lift_of_the_manchester_benchmark(shared_profiles: Path) -> None:
+def test_positions_roll_and_lift_of_the_manchester_benchmark() -> None:
     """Case A-2.2 at 10 kN, whose small elastic approach and yaw (up to 24 mrad) a rigid contact leaves out.
 
     The benchmark's y is positive to the right, its z downwards.
     """
-    wheel = read_wheel_profile(shared_profiles / "MBench_S1002_v3.prw")
-    rail = read_rail_profile(shared_profiles / "MBench_UIC60_v3.prr")
+    wheel, rail = wheel_profile("S1002"), manchester_rail()
     lines = (REFERENCE / "wheel_rail_mbench_a22.csv").read_text().splitlines()
     rows = [
         row

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from manchester_rail import manchester_rail
 from scipy.interpolate import CubicSpline
 
 from hh_exudyn.contact.profile import (
@@ -44,6 +45,14 @@ def test_s1002_equals_the_manchester_file(shared_profiles: Path) -> None:
     points = simpack_points(shared_profiles / "MBench_S1002_v3.prw") * MM  # y to the flange, z down
     assert len(points) > 300
     assert distances(wheel_profile("S1002"), points * [1, -1]).max() < 1e-6
+
+
+def test_own_manchester_rail_equals_the_file(shared_profiles: Path) -> None:
+    """The rail that the tests of the benchmark use, down to 16 mm below its top."""
+    points = -simpack_points(shared_profiles / "MBench_UIC60_v3.prr") * MM  # right rail: y outwards, z down
+    points = points[points[:, 1] > -16 * MM]
+    assert len(points) > 300
+    assert distances(manchester_rail(), points).max() < 1e-6  # as near as `distances` can tell
 
 
 def test_60e1_at_1_40_equals_the_manchester_rail(shared_profiles: Path) -> None:

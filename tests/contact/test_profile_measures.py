@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scanned_wheel import hollow_wheel, scan_of_hollow_wheel
 from scipy.interpolate import CubicSpline
 
 from hh_exudyn.contact.profile import Profile, gauge_point, rail_profile, read_profile, wheel_profile
@@ -83,6 +84,15 @@ def test_miniprof_gives_the_same_measures(shared_profiles: Path) -> None:
         assert flange_thickness(read.profile) == pytest.approx(told["Sd"], abs=tolerance)
         assert flange_height(read.profile) == pytest.approx(told["Sh"], abs=tolerance)
         assert flange_steepness(read.profile) == pytest.approx(told["qR"], abs=tolerance)
+
+
+def test_a_scan_gives_the_measures_of_what_was_scanned(tmp_path: Path) -> None:
+    """S1002 worn by 1.5 mm at the running circle and 0.05 mm at the flange tip, under the noise of a scan."""
+    scan, drawn = read_profile(scan_of_hollow_wheel(tmp_path / "hollow.whl")).profile, hollow_wheel()
+    assert flange_height(scan) == pytest.approx(29.45 * MM, abs=0.02 * MM)
+    for measure in (flange_thickness, flange_steepness, tread_hollow):
+        assert measure(scan) == pytest.approx(measure(drawn), abs=0.05 * MM)
+    assert tread_hollow(drawn) > 0.4 * MM
 
 
 def test_a_worn_heavy_haul_wheel_is_hollow_and_its_flange_high(shared_profiles: Path) -> None:

@@ -6,8 +6,11 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from manchester_rail import manchester_rail
+from scanned_wheel import hollow_wheel, scanned
 
 from hh_exudyn.contact.profile import (
+    RAIL_PROFILES,
     Profile,
     gauge_point,
     rail_profile,
@@ -16,6 +19,7 @@ from hh_exudyn.contact.profile import (
     read_wheel_profile,
     wheel_profile,
 )
+from hh_exudyn.contact.profile_reader import ReadProfile
 from hh_exudyn.contact.profile_smoothing import RIPPLE_ALLOWED
 from hh_exudyn.contact.profile_spline import spline_evaluate, spline_table
 from hh_exudyn.contact.profile_writer import write_profile
@@ -38,6 +42,10 @@ FILES = {
     "SUIC519A.dat": ("two_column", "rail", 1001, 0, False),
 }
 S1002, RAIL = wheel_profile("S1002"), rail_profile("60E1", 1 / 40)
+OWN = (
+    S1002, wheel_profile("WP4_like"), hollow_wheel(), manchester_rail(),
+    *(rail_profile(name, 1 / 30) for name in RAIL_PROFILES),
+)  # fmt: skip
 
 
 def rows(y: np.ndarray, z: np.ndarray, scale: float = 1000.0) -> str:
@@ -57,18 +65,20 @@ def written(path: Path, text: str) -> Path:
     return path
 
 
-@pytest.mark.parametrize("name", FILES)
-def test_shared_files_become_smooth_profiles_in_side_coordinates(shared_profiles: Path, name: str) -> None:
-    profile, report = (read := read_profile(shared_profiles / name)).profile, read.report
-    found = (report.format, report.kind, report.points_read, report.points_dropped, bool(report.smoothing))
-    assert found == FILES[name]
+def is_smooth_in_side_coordinates(read: ReadProfile, largest_step: float = 9.0) -> None:
+    """Whatever its file was like.
+
+    `largest_step` of the second derivative, from node to node: at most a rail's crown to its shoulder
+    (R300 to R80) [1/m].
+    """
+    profile, report = read.profile, read.report
     assert report.ripple_left <= RIPPLE_ALLOWED
     if report.smoothing:
         assert report.ripple > RIPPLE_ALLOWED
         assert report.smoothing.deviation <= 0.02 * MM
     if profile.kind == "wheel":
         assert np.interp(0.0, profile.y, profile.z) == pytest.approx(0.0, abs=1e-12)
-        assert 48 * MM < profile.y[np.argmin(profile.z)] < 56 * MM  # the flange tip
+        assert 48 * MM < profile.y[np.argmin(profile.z)] < 61 * MM  # the flange tip; of WP4_like at 59.8
         slope = np.polyfit(*(values[np.abs(profile.y) < 15 * MM] for values in (profile.y, profile.z)), 1)[0]
         assert -0.1 < slope < 0.0  # the wheel's radius grows towards the flange
     else:
@@ -78,26 +88,54 @@ def test_shared_files_become_smooth_profiles_in_side_coordinates(shared_profiles
     start = -15 * MM if profile.kind == "wheel" else gauge_point(profile) - 51 * MM
     middle = [spline_evaluate(table, start + y)[2] for y in np.arange(0, 30, 0.25) * MM]
     assert np.all(np.isfinite(middle))
-    # Steps of the second derivative from node to node, at most a rail's crown to its shoulder (R300 to R80),
-    # except at the kinks of EN 15302's wheel H (10 mm)
-    if name != "RUIC519H.dat":
-        assert np.abs(np.diff(middle)).max() < 9.0
+    assert np.abs(np.diff(middle)).max() < largest_step
+
+
+def is_the_same_written_and_read(first: Profile, path: Path) -> None:
+    for file_format in ("two_column", "miniprof"):
+        write_profile(first, path, file_format)
+        read = read_profile(path)
+        assert read.report.format == file_format
+        assert read.report.kind == first.kind
+        assert read.report.smoothing is None
+        np.testing.assert_allclose(read.profile.y, first.y, atol=1e-9)  # asked: 1 um
+        np.testing.assert_allclose(read.profile.z, first.z, atol=2e-9)
 
 
 @pytest.mark.parametrize("name", FILES)
-@pytest.mark.parametrize("file_format", ["two_column", "miniprof"])
-def test_read_written_read_again_is_the_same(
-    shared_profiles: Path, tmp_path: Path, name: str, file_format: str
+def test_files_of_others_become_smooth_profiles(shared_profiles: Path, name: str) -> None:
+    report = (read := read_profile(shared_profiles / name)).report
+    found = (report.format, report.kind, report.points_read, report.points_dropped, bool(report.smoothing))
+    assert found == FILES[name]
+    kinked = name == "RUIC519H.dat"  # EN 15302's wheel H is two cones from 10 mm on
+    is_smooth_in_side_coordinates(read, largest_step=np.inf if kinked else 9.0)
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_files_of_others_are_the_same_written_and_read(
+    shared_profiles: Path, tmp_path: Path, name: str
 ) -> None:
-    first = read_profile(shared_profiles / name).profile
-    path = tmp_path / "again.txt"
-    write_profile(first, path, file_format)
-    read = read_profile(path)
-    assert read.report.format == file_format
-    assert read.report.kind == first.kind
-    assert read.report.smoothing is None
-    np.testing.assert_allclose(read.profile.y, first.y, atol=1e-9)  # asked: 1 um
-    np.testing.assert_allclose(read.profile.z, first.z, atol=2e-9)
+    is_the_same_written_and_read(read_profile(shared_profiles / name).profile, tmp_path / "again.txt")
+
+
+@pytest.mark.parametrize("profile", OWN, ids=lambda profile: profile.name)
+def test_own_shapes_become_smooth_profiles_written_and_read(tmp_path: Path, profile: Profile) -> None:
+    """As drawn, in SIMPACK's axes, and as scanned with 5 um of noise; the scan lies on what was drawn."""
+    kind = 1 if profile.kind == "wheel" else 0
+    drawn = read_profile(written(tmp_path / "drawn.prx", simpack(-profile.y, -profile.z, kind)))
+    assert (drawn.report.format, drawn.report.kind) == ("simpack", profile.kind)
+    assert drawn.report.smoothing is None
+    is_smooth_in_side_coordinates(drawn)
+    y, z = scanned(profile, 5e-6, seed=2)
+    scan = read_profile(written(tmp_path / "scan.txt", rows(y, z)))
+    assert (scan.report.format, scan.report.kind) == ("two_column", profile.kind)
+    assert scan.report.smoothing
+    is_smooth_in_side_coordinates(scan)
+    near = np.abs(scan.profile.y) < 25 * MM
+    shift = scan.profile.z - np.interp(scan.profile.y, profile.y, profile.z)
+    assert np.ptp(shift[near]) < 0.04 * MM  # 0.02 mm is what smoothing may move a point
+    for read in (drawn, scan):
+        is_the_same_written_and_read(read.profile, tmp_path / "again.txt")
 
 
 def test_written_files_say_what_they_hold(tmp_path: Path) -> None:

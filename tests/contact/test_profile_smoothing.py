@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scanned_wheel import SPACING, scanned
 from scipy.interpolate import CubicSpline
 
 from hh_exudyn.contact.hertz import hertz_patch
@@ -18,17 +19,8 @@ from hh_exudyn.contact.profile_smoothing import (
 )
 
 MM = 1e-3
-SPACING = 0.25 * MM  # of MiniProf points
 TREAD_NOISE = 0.5  # 1/m, rms of curvature that may be left of white noise of 5 um; it grows with the noise
 S1002 = wheel_profile("S1002")
-
-
-def noisy(profile: Profile, sigma: float, seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """A profile scanned along its arc length, with white noise in both directions."""
-    s = arc_length(profile.y, profile.z)
-    at = np.arange(0.0, s[-1], SPACING)
-    noise = np.random.default_rng(seed).normal(0.0, sigma, (2, at.size))
-    return CubicSpline(s, profile.y)(at) + noise[0], CubicSpline(s, profile.z)(at) + noise[1]
 
 
 def curvature(y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -53,7 +45,7 @@ def test_the_bound_of_tread_noise_changes_a_patch_by_less_than_a_tenth() -> None
 @pytest.mark.parametrize("sigma", [5e-6, 10e-6])
 @pytest.mark.parametrize("seed", range(6))
 def test_white_noise_on_s1002_is_smoothed_and_the_shape_kept(sigma: float, seed: int) -> None:
-    y, z = noisy(S1002, sigma, seed)
+    y, z = scanned(S1002, sigma, seed)
     y_true, k_true = curvature(S1002.y, S1002.z)
     y_raw, k_raw = curvature(y, z)
     found = smooth(y, z)
@@ -125,14 +117,14 @@ def test_drawn_profiles_do_not_count_as_noisy(profile: Profile, step: int) -> No
 
 @pytest.mark.parametrize("seed", [0, 1, 2])
 def test_noise_of_one_micrometre_is_noticed_and_gone_after_smoothing(seed: int) -> None:
-    y, z = noisy(S1002, 1e-6, seed)
+    y, z = scanned(S1002, 1e-6, seed)
     assert curvature_ripple(y, z) > RIPPLE_ALLOWED
     found = smooth(y, z)
     assert curvature_ripple(found.y, found.z) < 0.1 * RIPPLE_ALLOWED
 
 
 def test_the_reader_smooths_what_is_noisy_only(tmp_path: Path) -> None:
-    y, z = noisy(S1002, 5e-6, 4)
+    y, z = scanned(S1002, 5e-6, 4)
     path = tmp_path / "noisy.txt"
     np.savetxt(path, 1e3 * np.column_stack([y, z]), fmt="%.6f")
     auto, never = read_profile(path), read_profile(path, smoothing="never")

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from manchester_rail import manchester_rail
 from scipy.spatial.transform import Rotation
 from straight_rails import no_forces, straight_rails
 
@@ -389,13 +390,9 @@ def test_manchester_benchmark_with_60e1(row: dict[str, str]) -> None:
 
 
 @pytest.fixture(scope="module")
-def manchester(shared_profiles: Path) -> WheelRailModel:
-    """The benchmark's own rail, from its file (right rail, y outwards, z down)."""
-    body = (shared_profiles / "MBench_UIC60_v3.prr").read_text().split("point.begin")[1].split("point.end")[0]
-    rows = [line.split() for line in body.splitlines() if line[:1] not in ("", " ", "!")]
-    y, z = -np.array([[float(word) for word in row[:2]] for row in rows])[::-1].T * 1e-3
-    keep = np.abs(z) < 0.0165
-    return model(Profile("Manchester", "rail", y[keep], z[keep]))
+def manchester() -> WheelRailModel:
+    """With the benchmark's own rail."""
+    return model(manchester_rail())
 
 
 @pytest.mark.parametrize(

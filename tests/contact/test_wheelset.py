@@ -21,6 +21,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from manchester_rail import manchester_rail
 
 from hh_exudyn.contact.contact_state import ContactState
 from hh_exudyn.contact.patch_shape import patch_shape, traction_on_shape
@@ -60,13 +61,9 @@ def pose(row: dict[str, str]) -> dict[str, float]:
 
 
 @pytest.fixture(scope="module")
-def rail(shared_profiles: Path) -> Profile:
-    """The benchmark's own rail, from its file (right rail, y outwards, z down)."""
-    body = (shared_profiles / "MBench_UIC60_v3.prr").read_text().split("point.begin")[1].split("point.end")[0]
-    rows = [line.split() for line in body.splitlines() if line[:1] not in ("", " ", "!")]
-    y, z = -np.array([[float(word) for word in row[:2]] for row in rows])[::-1].T * 1e-3
-    keep = np.abs(z) < 0.0165
-    return Profile("Manchester", "rail", y[keep], z[keep])
+def rail() -> Profile:
+    """The benchmark's own rail."""
+    return manchester_rail()
 
 
 Solve = Callable[[int, str], WheelOnRail]

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scanned_wheel import scan_of_hollow_wheel
 
 from damage.evolution.history import WearHistory, read_history
 from damage.evolution.loop import StepControl, evolve
@@ -17,7 +18,6 @@ from hh_exudyn.contact.profile_writer import write_profile
 
 WP4 = wheel_profile("WP4_like")
 RADIUS = 0.4575
-SHARED = Path(__file__).resolve().parents[3] / "shared" / "profiles"
 WORN_FILES = (
     "worn_high_mileage.prw", "Car7216_0001r.whl", "Car7422_0001r.whl", "left-wheel-v1-pre-dry.whl",
 )  # fmt: skip
@@ -169,11 +169,8 @@ def test_bad_input(call: Callable[[Path], object], message: str, tmp_path: Path)
         call(tmp_path)
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="../shared/profiles is not there: files of others to read")
-@pytest.mark.parametrize("name", WORN_FILES)
-def test_a_measured_worn_wheel_goes_through_wear(name: str, tmp_path: Path) -> None:
+def wears_in_noise(wheel: Profile, tmp_path: Path) -> None:
     """Noisy wear of tread and flange over 30,000 km: valid all along, and a file that reads back as it is."""
-    wheel = read_wheel_profile(SHARED / name)
     generator = np.random.default_rng(1)
     y = np.arange(-0.05, 0.0505, 1e-3)
     depth = 9e-9 * np.exp(-((y / 0.02) ** 2)) + 3e-8 * np.exp(-(((y - 0.038) / 0.004) ** 2))
@@ -190,6 +187,15 @@ def test_a_measured_worn_wheel_goes_through_wear(name: str, tmp_path: Path) -> N
     heights = np.interp(history.last.profile.y, again.y, again.z)
     inner = history.last.profile.y < 0.05
     np.testing.assert_allclose(heights[inner], history.last.profile.z[inner], rtol=0.0, atol=30e-6)
+
+
+@pytest.mark.parametrize("name", WORN_FILES)
+def test_a_measured_worn_wheel_goes_through_wear(name: str, shared_profiles: Path, tmp_path: Path) -> None:
+    wears_in_noise(read_wheel_profile(shared_profiles / name), tmp_path)
+
+
+def test_a_scanned_worn_wheel_goes_through_wear(tmp_path: Path) -> None:
+    wears_in_noise(read_wheel_profile(scan_of_hollow_wheel(tmp_path / "hollow.whl")), tmp_path / "steps")
 
 
 def test_conicity_is_that_of_the_track() -> None:
