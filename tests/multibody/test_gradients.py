@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from energy_ledger import balance
 from run_tables import steady, table, wheel_means
 from spring_energy import spring_energy
 
@@ -35,19 +36,6 @@ def transition(length: float, **changes: object) -> dict:
 
 def curve(length: float, radius: float, hand: str, cant: float) -> dict:
     return {"kind": "curve", "length_m": length, "radius_m": radius, "hand": hand, "cant_mm": cant, **GAUGE}
-
-
-def integral(time: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """From the start to every row, by trapezoids."""
-    parts = 0.5 * (values[1:] + values[:-1]) * np.diff(time)
-    return np.concatenate([[0.0], np.cumsum(parts)])
-
-
-def balance(energy):
-    """Work of the coupler less what was lost [J], and what the bodies have gained, at every row."""
-    lost = energy.contact_power + energy.friction_power + energy.damper_power
-    given = integral(energy.time, energy.coupler_power - lost)
-    return given, energy.potential_energy + energy.kinetic_energy - energy.kinetic_energy[0]
 
 
 @pytest.mark.parametrize("per_mille", [-10.0, 10.0, 50.0])

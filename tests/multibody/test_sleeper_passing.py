@@ -2,11 +2,13 @@
 
 import numpy as np
 import pytest
+from energy_ledger import missing_energy
 
 from hh_exudyn.case import Case
 from hh_exudyn.log.wheel_forces import wheel_forces
 from hh_exudyn.multibody.simulate import simulate
 from track.sleepers import sleeper_track
+from vehicles.catalogue import vehicle
 
 SEGMENT = 4.0  # s, so lines 0.25 Hz apart
 
@@ -42,7 +44,7 @@ def test_wheel_loads_peak_at_speed_over_spacing(demo: Case, spectra) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "factor"), [("erri_low", 20.0), ("erri_high", 15.0)])
-def test_the_demo_on_irregular_track_runs_through_and_has_the_peak(
+def test_the_demo_on_irregular_track_runs_through_closes_its_ledger_and_has_the_peak(
     demo: Case, runs, name: str, factor: float
 ) -> None:
     """The least factors measured are 39 and 18, at wheelset 4: on rough track it answers at 31 Hz too."""
@@ -50,6 +52,8 @@ def test_the_demo_on_irregular_track_runs_through_and_has_the_peak(
     run = simulate(case, runs / f"demo_{name}")
     assert run.status["finished"] is True
     check_peak(case, *wheel_forces(run).between(110.0, 250.0).spectrum("Q", SEGMENT), factor)
+    missing, work = missing_energy(vehicle(case.vehicle), run)
+    assert abs(missing) < 1e-3 * work
 
 
 def test_even_track_has_no_peak(demo: Case, spectra) -> None:
