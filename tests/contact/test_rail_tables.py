@@ -9,7 +9,7 @@ from straight_rails import no_forces, straight_rails
 from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.profile import Profile, gauge_point, rail_profile, wheel_profile
 from hh_exudyn.contact.profile_spline import spline_evaluate, spline_table, uniform_table
-from hh_exudyn.contact.rail_tables import RailCourse, rail_at, rail_tables
+from hh_exudyn.contact.rail_tables import RailCourse, rail_at, rail_tables, surface_slope
 from hh_exudyn.contact.types import Patch, SplineTable, WheelRailModel, WheelsetMotion
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 
@@ -96,6 +96,23 @@ def test_the_gauge_is_kept_in_the_ramp() -> None:
     middle, point = rail_at(TABLES, CHANGE)
     assert point == pytest.approx(0.5 * (gauge_point(ONE) + gauge_point(OTHER)), abs=1e-12)
     assert middle.z.max() == pytest.approx(0.0, abs=2e-5)  # rail tops at one height
+
+
+def test_the_surface_slope_is_the_derivative_along_the_track() -> None:
+    """Of the height at a constant distance from the gauge point; zero outside the ramp."""
+    step, steepest = 1e-4, 0.0
+    for s in np.linspace(CHANGE - 0.95, CHANGE + 0.95, 20):
+        for inside in (-0.060, -0.040, -0.020, -0.003):  # m, of the gauge point, from field side to corner
+            point = rail_at(TABLES, s)[1]
+            heights = []
+            for place in (s - step, s + step):
+                table, at = rail_at(TABLES, place)
+                heights.append(spline_evaluate(table, at + inside)[0])
+            expected = (heights[1] - heights[0]) / (2 * step)
+            assert surface_slope(TABLES, s, point + inside) == pytest.approx(expected, abs=1e-7)
+            steepest = max(steepest, abs(expected))
+    assert steepest > 2e-4
+    assert surface_slope(TABLES, CHANGE - 1.5, 0.0) == surface_slope(TABLES, CHANGE + 1.5, 0.0) == 0.0
 
 
 def test_mirrored_rails_give_mirrored_forces() -> None:

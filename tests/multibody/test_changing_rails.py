@@ -5,6 +5,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from energy_ledger import balance
+from free_wheelset import conical_wheel, free_wheelset
+from run_tables import table
 
 from hh_exudyn.case import Case
 from hh_exudyn.contact.contact_state import from_log_row
@@ -61,6 +64,25 @@ def test_each_rail_where_it_lies(demo: Case, runs: Path) -> None:
     assert leading.sum() > 20
     quiet = pure["Q"][(pure["wheelset"] == 1) & (pure["patch"] == 0)]
     assert np.ptp(rows["Q"][leading]) < np.ptp(quiet) + 0.02 * quiet.mean()
+
+
+@pytest.mark.parametrize("before", ["54E2", "MB4_like"])
+def test_the_train_lifts_and_lowers_a_wheelset_over_a_change(demo: Case, runs: Path, before: str) -> None:
+    """A cone stands lower or higher on another rail: the ledger holds that height, and nothing else is in it."""
+    sections = [
+        {"kind": "straight", "length_m": length, "gauge_mm": 1435.0, "rail": rail}
+        for length, rail in ((CHANGE, before), (20.0, ONE))
+    ]
+    case = demo.with_changes(
+        wheel_profile=conical_wheel(runs / f"cone_on_{before}.txt"),
+        track={"sections": sections, "flexibility": "rigid"},
+        integration={"output_interval_ms": 0.4},
+    )
+    energy = table(simulate(case, runs / f"from_{before}", vehicle=free_wheelset()), "energy")
+    given, gained = balance(energy)
+    height = energy.potential_energy[-1]
+    assert abs(height) > 2.0  # J, a tenth of a millimetre
+    assert given[-1] == pytest.approx(gained[-1], abs=0.02 * abs(height))  # and what the contact springs hold
 
 
 def test_patches_on_changing_rails_are_found_again(demo: Case, runs: Path) -> None:
