@@ -68,7 +68,7 @@ def test_each_rail_where_it_lies(demo: Case, runs: Path) -> None:
 
 @pytest.mark.parametrize("before", ["54E2", "MB4_like"])
 def test_the_train_lifts_and_lowers_a_wheelset_over_a_change(demo: Case, runs: Path, before: str) -> None:
-    """A cone stands lower or higher on another rail: the ledger holds that height, and nothing else is in it."""
+    """A cone stands lower or higher on another rail: the ledger holds that height and nothing else."""
     sections = [
         {"kind": "straight", "length_m": length, "gauge_mm": 1435.0, "rail": rail}
         for length, rail in ((CHANGE, before), (20.0, ONE))
