@@ -2,9 +2,23 @@
 
 Kernels of plain numbers, shared by the multibody model and by tests; no bodies, no Exudyn.
 
-Dry friction has memory: an elastic spring in series with a Coulomb slider. The slider's position is that of
-the last accepted step; within a step the force is return-mapped onto the friction bound, and the position
-it implies is committed once the step is accepted. There is no sign() of a velocity, and no creep at rest.
+Dry friction has memory: an elastic spring in series with a Coulomb slider, and a damper beside both. The
+slider's position is that of the last accepted step; within a step it slips just as far as the spring's force
+alone must, to come back within the friction bound, and where it then lies is committed once the step is
+accepted. The damper's force is never stretch of the spring: it fills what room the spring leaves below the
+bound. There is no sign() of a velocity, and no creep at rest.
+
+Why no path makes energy, in steps of any length. Let e be the spring's stretch, g = K e its force and
+E = e.Ke/2 its energy at the end of a step, s the slip of the slider in the step, w = de + s = v dt the way of
+the body and c D v the part of the damper's force that acts. With the forces at the end of the step the work
+on the element is
+
+    (g + c D v).w = g.de + g.s + c dt v.Dv >= E - E(before).
+
+g.de is at least the rise of E, which is convex; g.s >= 0, since of each component of the trial stretch e + s
+slip leaves a share from 0 to 1; and c >= 0. The bound does not appear: it may move as it likes. (Return
+mapping: J. J. Moreau's catching-up scheme, J. Differential Equations 26, 1977; J. C. Simo and
+T. J. R. Hughes, Computational Inelasticity, 1998, chapters 1 and 3. The inequality is derived here.)
 """
 
 import math
@@ -13,6 +27,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hh_exudyn.kernel import kernel
+
+_NEWTON_STEPS = 30
+_NEWTON_TOLERANCE = 1e-12  # of the friction bound
 
 
 @kernel
@@ -77,7 +94,7 @@ def dry_friction(
     damping_w: float,
     bound: float,
 ) -> tuple[float, float, float, float]:
-    """Two-dimensional Coulomb friction with an elastic spring before the slider.
+    """Two-dimensional Coulomb friction with an elastic spring before the slider and a damper beside both.
 
     Parameters
     ----------
@@ -85,22 +102,88 @@ def dry_friction(
     slider_u, slider_w : committed slider position [m]
     rate_u, rate_w : velocity of the sliding body [m/s]
     stiffness_u, stiffness_w, damping_u, damping_w : of the sticking contact [N/m, N s/m]
-    bound : friction coefficient times normal force [N]
+    bound : friction coefficient times normal force [N]; below zero it counts as zero, infinite it sticks
 
     Returns
     -------
     (force_u, force_w, new_slider_u, new_slider_w) : force on the sliding body [N] and the slider position
-    [m] to commit when the step is accepted. The force never exceeds the bound.
+    [m] to commit when the step is accepted.
+
+    The force never exceeds the bound. The slider stays where the spring alone is within it, whatever the
+    damper does. Where it is not, the slider slips in the direction of the force that the spring is left with:
+    Coulomb's law, for any ratio of the stiffnesses, and the slip that loses most (closest point to the trial
+    force in the norm of the spring's energy). The damper then takes the largest share of its force, 0 to 1,
+    that the bound has room for. No path takes energy out of the element: see the head of this file.
     """
-    force_u = -stiffness_u * (u - slider_u) - damping_u * rate_u
-    force_w = -stiffness_w * (w - slider_w) - damping_w * rate_w
-    magnitude = math.hypot(force_u, force_w)
-    if magnitude <= bound:
-        return force_u, force_w, slider_u, slider_w
-    scale = max(bound, 0.0) / magnitude
-    force_u *= scale
-    force_w *= scale
-    return force_u, force_w, u + force_u / stiffness_u, w + force_w / stiffness_w
+    bound = max(bound, 0.0)
+    spring_u = stiffness_u * (u - slider_u)
+    spring_w = stiffness_w * (w - slider_w)
+    if spring_u * spring_u + spring_w * spring_w > bound * bound:
+        left_u, left_w = _left_of_stretch(spring_u, spring_w, stiffness_u, stiffness_w, bound)
+        spring_u *= left_u
+        spring_w *= left_w
+        slider_u = u - left_u * (u - slider_u)
+        slider_w = w - left_w * (w - slider_w)
+    damper_u = damping_u * rate_u
+    damper_w = damping_w * rate_w
+    if (spring_u + damper_u) ** 2 + (spring_w + damper_w) ** 2 > bound * bound:
+        share = _damper_share(spring_u, spring_w, damper_u, damper_w, bound, 0.0)
+        damper_u *= share
+        damper_w *= share
+    return -spring_u - damper_u, -spring_w - damper_w, slider_u, slider_w
+
+
+@kernel
+def _left_of_stretch(
+    spring_u: float, spring_w: float, stiffness_u: float, stiffness_w: float, bound: float
+) -> tuple[float, float]:
+    """Shares 0..1 of the stretch in u and w that slip leaves, where the spring's force exceeds the bound.
+
+    With the slip a times the force that is left, that force is spring / (1 + a stiffness), and a follows from
+    its magnitude, the bound. Newton's method for 1 / magnitude comes up to a from below in a handful of steps
+    (A. R. Conn, N. I. M. Gould and P. L. Toint, Trust-Region Methods, 2000, 7.3); with a single stiffness the
+    share is bound / magnitude.
+    """
+    magnitude = math.hypot(spring_u, spring_w)
+    if stiffness_u == stiffness_w or not bound > 0.0:
+        return bound / magnitude, bound / magnitude
+    slip = 0.0  # over force [m/N]
+    left_u, left_w = 1.0, 1.0
+    for _ in range(_NEWTON_STEPS):
+        part_u, part_w = left_u * spring_u / magnitude, left_w * spring_w / magnitude
+        fall = stiffness_u * left_u * part_u * part_u + stiffness_w * left_w * part_w * part_w
+        slip += (magnitude / bound - 1.0) / fall
+        left_u = 1.0 / (1.0 + slip * stiffness_u)
+        left_w = 1.0 / (1.0 + slip * stiffness_w)
+        magnitude = math.hypot(left_u * spring_u, left_w * spring_w)
+        if not magnitude > bound * (1.0 + _NEWTON_TOLERANCE):
+            break
+    rest = min(bound / magnitude, 1.0)  # exactly onto the bound, with a loss like all shares
+    return left_u * rest, left_w * rest
+
+
+@kernel
+def _damper_share(
+    spring_u: float, spring_w: float, damper_u: float, damper_w: float, bound: float, growth: float
+) -> float:
+    """Largest share 0..1 of the damper's force that keeps the sum with the spring's within its bound.
+
+    Parameters
+    ----------
+    spring_u, spring_w : force of the spring, within the bound [N]
+    damper_u, damper_w : the whole force of the damper, too much for the bound [N]
+    bound : [N], at the spring's force alone
+    growth : of the bound per force of the damper in u, -1 < growth < 1
+
+    The larger root of |spring + share damper| = bound + share growth damper_u.
+    """
+    square = damper_u * damper_u * (1.0 - growth * growth) + damper_w * damper_w
+    half = spring_u * damper_u + spring_w * damper_w - bound * growth * damper_u
+    room = max(bound * bound - spring_u * spring_u - spring_w * spring_w, 0.0)
+    root = math.sqrt(half * half + square * room)
+    if half > 0.0:
+        return min(room / (half + root), 1.0)
+    return min((root - half) / square, 1.0) if square > 0.0 else 0.0
 
 
 @kernel
@@ -129,6 +212,10 @@ def wedge(
     so that in sliding |T| = mu Fs / (tan(a) - mu T_v/|T|): more when the bolster goes down (T_v > 0) than
     when it comes up. `tan_slope` must exceed `friction`, else the wedge jams (`description.Wedge` checks).
 
+    Spring, slider and damper of the sticking face are those of `dry_friction`, with this cone for the bound:
+    slip comes back to it in the direction of the friction, as Coulomb's law has it, and the damper takes what
+    room is left in it. Whatever the control spring's force does, the face gives back no more than it stored.
+
     Returns
     -------
     (column, along, lateral_force, new_slider_compression, new_slider_lateral) : normal force N2 of the
@@ -138,13 +225,21 @@ def wedge(
     spring = spring_stiffness * compression
     if spring <= 0.0:
         return 0.0, 0.0, 0.0, compression, lateral
-    up = stick_stiffness * (compression - slider_compression) + stick_damping * compression_rate
-    side = -stick_stiffness * (lateral - slider_lateral) - stick_damping * lateral_rate
-    magnitude = math.hypot(up, side)
-    if magnitude * tan_slope <= friction * (spring + up):
-        return (spring + up) / tan_slope, up, side, slider_compression, slider_lateral
-    scale = friction * spring / (tan_slope - friction * up / magnitude) / magnitude
-    up *= scale
-    side *= scale
-    column = (spring + up) / tan_slope
-    return column, up, side, compression - up / stick_stiffness, lateral + side / stick_stiffness
+    up = stick_stiffness * (compression - slider_compression)
+    side = -stick_stiffness * (lateral - slider_lateral)
+    held = math.hypot(up, side)
+    if held * tan_slope > friction * (spring + up):
+        left = friction * spring / (held * tan_slope - friction * up)
+        up *= left
+        side *= left
+        slider_compression = compression - left * (compression - slider_compression)
+        slider_lateral = lateral - left * (lateral - slider_lateral)
+    damper_up = stick_damping * compression_rate
+    damper_side = -stick_damping * lateral_rate
+    if math.hypot(up + damper_up, side + damper_side) * tan_slope > friction * (spring + up + damper_up):
+        cone = friction / tan_slope
+        share = _damper_share(up, side, damper_up, damper_side, cone * (spring + up), cone)
+        damper_up *= share
+        damper_side *= share
+    up += damper_up
+    return (spring + up) / tan_slope, up, side + damper_side, slider_compression, slider_lateral

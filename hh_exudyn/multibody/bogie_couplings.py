@@ -10,6 +10,7 @@ import numpy as np
 
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import inlined_kernel
+from hh_exudyn.multibody.general_couplings import shear_friction
 from hh_exudyn.multibody.model import Ledger, Workspace
 from hh_exudyn.multibody.vectors import Triple
 from vehicles import force_laws
@@ -143,18 +144,15 @@ def plate(
             load += force
             moment_x += force * y
             moment_y -= force * x
-    force_x, force_y, new_slider[0], new_slider[1] = dry_friction(
-        d[0],
-        d[1],
-        slider[0],
-        slider[1],
-        v[0],
-        v[1],
-        stick_stiffness,
-        stick_stiffness,
-        stick_damping,
-        stick_damping,
-        math.inf if settle else friction * load,
+    force_x, force_y = shear_friction(
+        d,
+        v,
+        (stick_stiffness, stick_stiffness, 0.0),
+        (stick_damping, stick_damping, 0.0),
+        friction * load,
+        slider,
+        settle,
+        new_slider,
     )
     # two thirds of the radius: friction torque of a uniformly loaded flat disc
     arm = 2.0 / 3.0 * radius
@@ -199,18 +197,15 @@ def side_bearer(
         spring = stiffness * compression + stop_stiffness * max(-d[2] - stop_clearance, 0.0)
         load = max(spring - damping * v[2], 0.0)
         work.ledger[_DAMPER] -= (load - spring) * v[2]
-    force_x, force_y, new_slider[0], new_slider[1] = dry_friction(
-        d[0],
-        d[1],
-        slider[0],
-        slider[1],
-        v[0],
-        v[1],
-        stick_stiffness,
-        stick_stiffness,
-        stick_damping,
-        stick_damping,
-        math.inf if settle else friction * load,
+    force_x, force_y = shear_friction(
+        d,
+        v,
+        (stick_stiffness, stick_stiffness, 0.0),
+        (stick_damping, stick_damping, 0.0),
+        friction * load,
+        slider,
+        settle,
+        new_slider,
     )
     work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1]
     return force_x, force_y, load

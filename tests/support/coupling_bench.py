@@ -39,6 +39,12 @@ class Bench:
         coupling_forces(self.couplings, self.sliders, False, work)
         return work.force.copy(), work.torque.copy()
 
+    def relax(self):
+        """Put sliders where the equilibrium has them: wedges without vertical friction, the rest sticking."""
+        self.sliders[:] = 0.0
+        coupling_forces(self.couplings, self.sliders, True, self.work)
+        self.commit()
+
     def commit(self):
         self.sliders[:] = self.work.new_sliders
 

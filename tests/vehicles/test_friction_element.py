@@ -1,0 +1,210 @@
+"""Spring, slider and damper of dry friction and of the wedge: Coulomb's law, and no energy out of nothing."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from vehicles.force_laws import dry_friction, wedge
+
+SLOPE = math.tan(math.radians(36.3))
+CONTROL_SPRING = 4.0e5  # N/m
+ROUNDING = 1e-9  # of a force; a stretch is a difference of two places
+
+places = st.floats(-0.02, 0.02)
+rates = st.floats(-1.0, 1.0)
+bounds = st.floats(0.0, 1.0e5)
+stiffnesses = st.floats(3.0, 8.5).map(lambda power: 10.0**power)  # N/m
+dampings = st.one_of(st.just(0.0), st.floats(2.0, 6.5).map(lambda power: 10.0**power))  # N s/m
+
+# A leg of a path: direction, length [m], number of steps, how long one takes [s], and a share of the bound:
+# from a single fast step, whose damper alone exceeds the bound, to a slow way in small steps.
+legs = st.tuples(
+    st.floats(0.0, 2.0 * math.pi),
+    st.floats(1e-6, 3e-3),
+    st.integers(1, 20),
+    st.floats(-5.0, 1.0).map(lambda power: 10.0**power),
+    st.floats(0.0, 1.0),
+)
+paths = st.lists(legs, min_size=1, max_size=12)
+HALF_A_MILLIMETRE = 5e-4
+
+
+def steps(path):
+    """Every step of a path from (0, 0): place, way, rate, and the leg's number 0..1 for the bound."""
+    u, w = 0.0, 0.0
+    for direction, length, number, duration, share in path:
+        du, dw = length / number * math.cos(direction), length / number * math.sin(direction)
+        for _ in range(number):
+            u, w = u + du, w + dw
+            yield (u, w), (du, dw), (du / duration, dw / duration), share
+
+
+def back_and_forth(fast, way=HALF_A_MILLIMETRE):
+    """A fast step out and a slow way back, the path that once gave more than it took."""
+    return [(0.0, way, 1, fast, 1.0), (math.pi, way, 20, 1.0, 1.0)]
+
+
+def across_and_back(fast, way=HALF_A_MILLIMETRE):
+    return [(0.7, way, 1, fast, 1.0), (2.1, way, 1, fast, 0.3), (4.0, way, 20, 1.0, 1.0)]
+
+
+def test_a_fast_step_stretches_the_spring_by_its_way_only():
+    """0.053 mm at 1.05 bound / damping: the damper fills the bound, the spring of 40 MN/m holds 2.1 kN."""
+    stiffness, damping, bound, way = 4.0e7, 8.0e4, 1.0e4, 0.053e-3
+    contact = (stiffness, stiffness, damping, damping, bound)
+    force, _, *slider = dry_friction(way, 0.0, 0.0, 0.0, 1.05 * bound / damping, 0.0, *contact)
+    assert force == pytest.approx(-bound)
+    assert slider == [0.0, 0.0]
+    held, *_ = dry_friction(way, 0.0, *slider, 0.0, 0.0, *contact)
+    assert held == pytest.approx(-stiffness * way)
+
+
+@example(4e7, 4e7, 8e4, 8e4, 1e4, back_and_forth(4e-4, 0.053e-3))
+@example(1e7, 6e6, 2e4, 3e6, 1e4, across_and_back(1e-3))
+@given(stiffnesses, stiffnesses, dampings, dampings, bounds, paths)
+def test_no_path_gets_energy_out_of_dry_friction(k_u, k_w, d_u, d_w, largest, path):
+    """From a relaxed slider, at every step: what was put in is at least what the spring holds.
+
+    In one direction or two, whatever the ratios of stiffness and damping, while the bound changes from leg to
+    leg.
+    """
+    slider, work, size = (0.0, 0.0), 0.0, 0.0
+    for place, way, rate, share in steps(path):
+        force_u, force_w, *slider = dry_friction(*place, *slider, *rate, k_u, k_w, d_u, d_w, share * largest)
+        work -= force_u * way[0] + force_w * way[1]
+        size += math.hypot(force_u, force_w) * math.hypot(*way)
+        held = 0.5 * k_u * (place[0] - slider[0]) ** 2 + 0.5 * k_w * (place[1] - slider[1]) ** 2
+        assert work >= held - ROUNDING * size
+
+
+@example(4e7, 8e4, 0.6, back_and_forth(4e-4, 0.053e-3))
+@example(4e7, 8e4, 0.6, across_and_back(4e-4))
+@given(stiffnesses, dampings, st.floats(0.0, 0.7), paths)
+def test_no_path_gets_energy_out_of_a_wedge(stiffness, damping, largest, path):
+    """As of dry friction; the bound goes with the control spring, the friction itself, and the coefficient.
+
+    The control spring's own force works on the way of the bolster alone and is left out. Where the wedge is
+    loose its face holds nothing.
+    """
+    middle = 1e-3  # of the compression: some paths go on to where the wedge is loose
+    slider, work, size = (middle, 0.0), 0.0, 0.0
+    for place, way, rate, share in steps(path):
+        down = middle + place[0]
+        column, up, side, *slider = wedge(
+            down, place[1], *slider, *rate, CONTROL_SPRING, SLOPE, share * largest, stiffness, damping
+        )
+        assert column >= 0.0
+        work += up * way[0] - side * way[1]
+        size += math.hypot(up, side) * math.hypot(*way)
+        held = 0.5 * stiffness * ((down - slider[0]) ** 2 + (place[1] - slider[1]) ** 2)
+        assert work >= held - ROUNDING * size
+
+
+@example(0.015625, 0.0, 0.0, 0.0, -1.0, 0.0, 1e7, 6e6, 2e4, 3e4, 1.0)
+@given(
+    places, places, places, places, rates, rates, stiffnesses, stiffnesses, dampings, dampings, bounds
+)  # fmt: skip
+def test_friction_is_coulombs(u, w, slider_u, slider_w, rate_u, rate_w, k_u, k_w, d_u, d_w, bound):
+    """Within its bound; the slider stays if the spring does, else slips along the force that is left.
+
+    The damper adds as much of its own force as the bound has room for, and no more than all.
+    """
+    contact = (k_u, k_w, d_u, d_w, bound)
+    tolerance = ROUNDING * max(bound, 0.02 * max(k_u, k_w))
+    force = np.array(dry_friction(u, w, slider_u, slider_w, rate_u, rate_w, *contact))
+    force, slider = force[:2], force[2:]
+    spring = -np.array([k_u, k_w]) * (np.array([u, w]) - slider)
+    assert np.hypot(*force) <= bound + tolerance
+    trial = np.hypot(k_u * (u - slider_u), k_w * (w - slider_w))
+    if trial <= bound * (1 - 1e-12):
+        assert (slider == [slider_u, slider_w]).all()
+    elif trial > bound * (1 + 1e-12):
+        assert np.hypot(*spring) == pytest.approx(bound, abs=tolerance)
+        slip = slider - [slider_u, slider_w]
+        assert spring @ slip <= tolerance * np.hypot(*slip)  # the body is pulled back
+        across = spring[0] * slip[1] - spring[1] * slip[0]
+        assert abs(across) <= tolerance * np.hypot(*slip) + bound * ROUNDING
+    damper = -np.array([d_u * rate_u, d_w * rate_w])
+    check_damper(force - spring, damper, np.hypot(*force), bound, tolerance)
+
+
+def check_damper(taken, damper, magnitude, bound, tolerance):
+    """A share 0..1 of the damper's force, and less than 1 only where the bound is reached."""
+    whole = np.hypot(*damper)
+    if whole <= tolerance:
+        return
+    share = taken @ damper / whole**2
+    assert -tolerance / whole <= share <= 1 + tolerance / whole
+    assert taken == pytest.approx(share * damper, abs=tolerance)
+    if share * whole < whole - tolerance:
+        # where the bound is nearly touched from within, the way to it is the root of the room that is left
+        assert magnitude == pytest.approx(bound, rel=1e-6, abs=math.sqrt(tolerance * bound) + tolerance)
+
+
+@given(
+    st.floats(1e-3, 0.08), places, st.floats(-0.08, 0.08), places, rates, rates, stiffnesses, dampings,
+    st.floats(0.0, 0.7),
+)  # fmt: skip
+def test_the_wedges_face_is_coulombs(down, lateral, slid, slid_lateral, rate, rate_lateral, k, d, friction):
+    """The same with the cone for the bound: friction times the column force that goes with that friction."""
+    motion = (down, lateral, slid, slid_lateral, rate, rate_lateral)
+    column, up, side, *slider = wedge(*motion, CONTROL_SPRING, SLOPE, friction, k, d)
+    held = CONTROL_SPRING * down
+    tolerance = ROUNDING * max(0.2 * k, held) / (SLOPE - friction)
+    assert column == pytest.approx((held + up) / SLOPE)
+    assert math.hypot(up, side) <= friction * column + tolerance
+    spring = np.array([k * (down - slider[0]), -k * (lateral - slider[1])])
+    trial = np.array([k * (down - slid), -k * (lateral - slid_lateral)])
+    room = friction * (held + trial[0]) / SLOPE - np.hypot(*trial)
+    if room > tolerance:
+        assert slider == [slid, slid_lateral]
+    elif room < -tolerance:
+        assert np.hypot(*spring) == pytest.approx(friction * (held + spring[0]) / SLOPE, abs=tolerance)
+        assert spring[0] * trial[1] - spring[1] * trial[0] == pytest.approx(
+            0.0, abs=tolerance * np.hypot(*trial)
+        )
+        assert spring @ trial >= -tolerance * np.hypot(*trial)
+    damper = np.array([d * rate, -d * rate_lateral])
+    check_damper(np.array([up, side]) - spring, damper, math.hypot(up, side), friction * column, tolerance)
+
+
+def test_a_bound_that_falls_lets_the_face_slip_at_rest():
+    """Half the load, and what is held falls to the bound; the load that comes back finds it there."""
+    stiffness, bound = 1.0e7, 1.0e4
+    contact = (stiffness, 0.5 * stiffness, 3e4, 3e4)
+    u, w = 0.6 * bound / stiffness, 0.7 * bound / (0.5 * stiffness)
+    slider = (0.0, 0.0)
+    magnitudes = []
+    for load in (1.0, 0.5, 1.0):
+        force_u, force_w, *slider = dry_friction(u, w, *slider, 0.0, 0.0, *contact, load * bound)
+        magnitudes.append(math.hypot(force_u, force_w) / bound)
+    assert magnitudes == pytest.approx([math.hypot(0.6, 0.7), 0.5, 0.5])
+
+
+@pytest.mark.parametrize("direction", [0.3, 1.1, 2.5])
+def test_a_body_dragged_far_is_held_against_its_motion(direction):
+    """Coulomb's law once more: in steady sliding the spring's stiffnesses do not count."""
+    towards = np.array([math.cos(direction), math.sin(direction)])
+    slider, bound = (0.0, 0.0), 2.0e4
+    for s in np.linspace(0.0, 0.05, 400):
+        *force, slider_u, slider_w = dry_friction(
+            *(s * towards), *slider, 0.0, 0.0, 13.1e6, 8.8e6, 0.0, 0.0, bound
+        )
+        slider = (slider_u, slider_w)
+    assert force == pytest.approx(-bound * towards, abs=1e-6 * bound)
+
+
+def test_extreme_ratios_of_stiffness_come_back_onto_the_bound():
+    """Newton's method for the slip converges over twelve decades of stiffness, and of overshoot."""
+    for k_w in 10.0 ** np.arange(0.0, 12.1, 1.0):
+        for bound in 10.0 ** np.arange(-6.0, 6.0, 1.0):
+            for w in (1e-9, 1e-5, 1e-2):
+                force = dry_friction(0.01, w, 0.0, 0.0, 0.0, 0.0, 1e6, k_w, 0.0, 0.0, bound)
+                u_slid, w_slid = force[2:]
+                magnitude = math.hypot(*force[:2])
+                assert magnitude == pytest.approx(min(bound, math.hypot(1e4, k_w * w)), rel=1e-12)
+                if u_slid > 0.0:
+                    assert force[0] * w_slid == pytest.approx(force[1] * u_slid, rel=1e-6)
