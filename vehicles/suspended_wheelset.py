@@ -2,11 +2,16 @@
 
 import math
 
+import numpy as np
+from numpy.polynomial import Polynomial
+
 from vehicles.couplings import AxleBoxPad
 from vehicles.description import Body, Coupler, GivenContact, Vehicle, Wheelset
 from vehicles.parameters import ParameterSet
 
 HELD_MASS = 1e8  # kg, of a body that the forces of a vehicle shall not move
+_REAL = 1e-9  # of its modulus, that the imaginary part of a root may have that counts as real
+_VANISHES = 1e-24  # of the largest coefficient: one of V^4 or V^6 below it makes no root below 1e4 m/s
 _TRAIN_STIFFNESS, _TRAIN_DAMPING = 1e6, 1e6  # N/m, N s/m: nothing on `HELD_MASS`, which keeps its speed
 
 
@@ -69,21 +74,30 @@ def critical_speed_closed_form(
     half_distance: float,
     conicity: float,
     radius: float,
+    roll: float = 0.0,
+    spin_inertia: float = 0.0,
 ) -> tuple[float, float]:
     """Critical speed and frequency of a suspended wheelset of two degrees of freedom.
 
-    With the creep coefficients f11, f22 of one wheel, half distance a of the contacts and conicity c,
+    Cones roll the wheelset: e = `roll` for every metre to the left, so that the contacts move by k = 1 + r0 e
+    of what the axle does, and the spin (inertia J) ties yaw to lateral motion by g = e J V/r0. With the creep
+    coefficients f11, f22 of one wheel, half distance a of the contacts and conicity c (change of rolling
+    radius over displacement of the axle),
 
-        m y''   + (2 f22/V) y'       + k_y y     - 2 f22 psi        = 0,
-        I psi'' + (2 f11 a^2/V) psi' + k_psi psi + (2 f11 a c/r0) y = 0.
+        (m + I e^2) y'' + (2 f22 k^2/V) y'   + k_y y     - 2 f22 k psi - g psi'      = 0,
+        I psi''         + (2 f11 a^2/V) psi' + k_psi psi + (2 f11 a c/r0) y + g y'   = 0.
 
-    At the critical speed s = j w solves the characteristic equation; its odd powers of s give w, without V,
-    its even ones V. With c1 = 2 f22, c2 = 2 f11 a^2, P = 4 f11 f22 a c/r0,
+    At the critical speed s = j w solves the characteristic equation. With c1 = 2 f22 k, c2 = 2 f11 a^2,
+    p = 2 f11 a c/r0 and h = e J/r0, its odd powers of s give
 
-        w^2 = (c1 k_psi + c2 k_y)/(m c2 + I c1),
-        V^2 = c1 c2/(m I w^2 - m k_psi - I k_y + (k_y k_psi + P)/w^2).
+        w^2 = (c2 k_y + c1 k k_psi + h (c1 + p) V^2)/(c2 (m + I e^2) + c1 k I),
 
-    Own derivation; it is the classical one (for example Wickens 2003, chapter 5, quoted from memory).
+    and its even ones, with that w^2, a cubic equation for V^2,
+
+        V^2 [(k_y - (m + I e^2) w^2)(k_psi - I w^2) + c1 p] - c1 k c2 w^2 - h^2 V^4 w^2 = 0.
+
+    Own derivation; without roll (e = 0) it is the classical one (for example Wickens 2003, chapter 5, quoted
+    from memory), and linear in V^2.
 
     Parameters
     ----------
@@ -91,6 +105,8 @@ def critical_speed_closed_form(
     lateral_stiffness, yaw_stiffness : k_y [N/m], k_psi [N m/rad], not both zero
     longitudinal_creep, lateral_creep : f11, f22 [N]
     half_distance, conicity, radius : [m], [-], [m]
+    roll : of the wheelset over its lateral displacement [rad/m]; cones have c/a/(1 - r0 c/a)
+    spin_inertia : about the axle [kg m^2]
 
     Returns
     -------
@@ -116,17 +132,28 @@ def critical_speed_closed_form(
     ):
         if not value > 0.0:
             raise ValueError(f"{label} = {value} {unit}: must be > 0")
+    if min(roll, spin_inertia) < 0.0:
+        raise ValueError(f"roll {roll} rad/m, spin_inertia {spin_inertia} kg m^2: must be >= 0")
     if min(lateral_stiffness, yaw_stiffness) < 0.0:
         raise ValueError(f"stiffness {lateral_stiffness} N/m, {yaw_stiffness} N m/rad: must be >= 0")
-    c1 = 2.0 * lateral_creep
+    moved = 1.0 + radius * roll
+    rolling_mass = mass + yaw_inertia * roll**2
+    c1 = 2.0 * lateral_creep * moved
     c2 = 2.0 * longitudinal_creep * half_distance**2
-    coupling = 4.0 * longitudinal_creep * lateral_creep * half_distance * conicity / radius
-    square = (c1 * yaw_stiffness + c2 * lateral_stiffness) / (mass * c2 + yaw_inertia * c1)
-    rest = (
-        mass * yaw_inertia * square
-        - mass * yaw_stiffness
-        - yaw_inertia * lateral_stiffness
-        + (lateral_stiffness * yaw_stiffness + coupling) / square
+    steering = 2.0 * longitudinal_creep * half_distance * conicity / radius
+    gyroscopic = roll * spin_inertia / radius
+    inertia = c2 * rolling_mass + c1 * moved * yaw_inertia
+    w2 = Polynomial(
+        [
+            (c2 * lateral_stiffness + c1 * moved * yaw_stiffness) / inertia,
+            gyroscopic * (c1 + steering) / inertia,
+        ]
     )
-    speed = math.sqrt(c1 * c2 / rest) if rest > 0.0 else math.inf
-    return speed, math.sqrt(square) / (2.0 * math.pi)
+    v2 = Polynomial([0.0, 1.0])
+    even = v2 * ((lateral_stiffness - rolling_mass * w2) * (yaw_stiffness - yaw_inertia * w2) + c1 * steering)
+    even = even - c1 * moved * c2 * w2 - gyroscopic**2 * v2**2 * w2
+    roots = even.trim(_VANISHES * np.abs(even.coef).max()).roots()
+    real = roots.real[np.abs(roots.imag) < _REAL * np.abs(roots)]
+    square = min(real[real > 0.0], default=math.inf)
+    frequency = math.sqrt(w2(square if math.isfinite(square) else 0.0)) / (2.0 * math.pi)
+    return math.sqrt(square), frequency

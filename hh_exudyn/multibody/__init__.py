@@ -10,6 +10,10 @@
 `system`             `evaluate`: all forces of a vehicle on its track
 `assembly`           descriptions -> model -> Exudyn system
 `equilibrium`        rest on straight track, before the run
+`rolling`            the state of a vehicle that rolls in one place: drawn, moved, kept
+`settling`           its damped motion, where no root search finds the equilibrium
+`remaining`          which force keeps a vehicle out of equilibrium, and where
+`inertia`            mass matrix and gyroscopic moments
 `linear`             modes, their way over speed, linear critical speed
 `hunting`            motion in time after a disturbance, nonlinear critical speed
 `stability`          the largest time step that the explicit integration bears

@@ -96,7 +96,7 @@ def wedge(
             tan_slope,
             math.inf if settle else friction,
             stick_stiffness,
-            stick_damping,
+            0.0 if settle else stick_damping,  # a wedge that comes up fast would pull, at infinite friction
         )
         push = column * cos_toe - rub * math.sin(toe)  # of the wedge, from the column onto the bolster
         lift = push * tan_force

@@ -101,20 +101,24 @@ def lateral_motion(
     q[sideways] += displacement
     rows: list[FloatArray] = []
     failed: list[int] = []
+    accepted = False  # a state whose sliders and status the first evaluation of the next step brings
 
     def forces(mbs: Any, time: float, item: int, _: Any, __: Any) -> list[float]:
+        nonlocal accepted
         now, rate = mbs.systemData.GetODE2Coordinates(), mbs.systemData.GetODE2Coordinates_t()
-        evaluate_bundle(bundle, sliders, now, rate, time, False)
+        status = evaluate_bundle(bundle, sliders, now, rate, time, False)
+        if accepted:
+            accepted = False
+            sliders[:] = work.new_sliders
+            failed.extend([status] if status else [])
         result: list[float] = work.generalized_force.tolist()
         return result
 
     def after_step(mbs: Any, time: float) -> bool:
-        now, rate = mbs.systemData.GetODE2Coordinates(), mbs.systemData.GetODE2Coordinates_t()
-        status = evaluate_bundle(bundle, sliders, now, rate, time, False)
-        sliders[:] = work.new_sliders
-        rows.append(np.array([time, *now[sideways]]))
-        failed.extend([status] if status else [])
-        return not failed
+        nonlocal accepted
+        accepted = True
+        rows.append(np.array([time, *mbs.systemData.GetODE2Coordinates()[sideways]]))
+        return not failed and bool(np.isfinite(rows[-1]).all())
 
     mbs = exudyn_system(model, q, state.v, forces, after_step)
     exu.config.printToConsole = False  # as in `simulate`

@@ -1,8 +1,10 @@
 """Linear analysis: modes about the equilibrium, their way over speed, and the linear critical speed.
 
 The motion is linearised by central differences of the force kernel about the static equilibrium of the
-rolling vehicle; friction elements stick. The wheelsets' rotation about their axles is taken at angle zero,
-their gyroscopic moments are left out.
+rolling vehicle, with the gyroscopic moments of its wheelsets (`inertia`). The coordinates of a wheelset are
+those of the frame that follows its axle and does not spin. Friction elements stick everywhere: for a vehicle
+on friction, as a three-piece bogie is, the critical speed is that of its smallest motions; `hunting` has the
+speed below which a large motion dies out.
 """
 
 import math
@@ -20,6 +22,7 @@ from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import Bundle
 from hh_exudyn.multibody.assembly import assemble, shortest_transition
 from hh_exudyn.multibody.equilibrium import Equilibrium, equilibrium
+from hh_exudyn.multibody.inertia import gyroscopic_moments, masses
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
     SystemModel,
@@ -49,7 +52,7 @@ class Linearisation(NamedTuple):
 
     mass: FloatArray  # (n,) of the diagonal matrix M [kg], [kg m^2]; 1 for the creep coordinates
     stiffness: FloatArray  # (n, n)
-    damping: FloatArray  # (n, n), creep forces included
+    damping: FloatArray  # (n, n), creep forces and gyroscopic moments included
 
     @property
     def system(self) -> FloatArray:
@@ -66,13 +69,6 @@ def linearise(model: SystemModel, work: Workspace, state: Equilibrium) -> Linear
     """Mass, stiffness and damping about an equilibrium."""
     bundle = Bundle(model, work)
     n = state.q.size
-    mass = np.ones(n)
-    for i in range(model.mass.size):
-        k = BODY_COORDINATES * i
-        mass[k : k + 3] = model.mass[i]
-        mass[k + 3 : k + 6] = model.inertia[i]
-    if model.flexible:
-        mass[first_track(model) : first_creep(model)] = np.tile(model.track_mass, len(model.wheelsets))
 
     def force(dq: FloatArray, dv: FloatArray) -> FloatArray:
         evaluate_bundle(bundle, state.sliders, state.q + dq, state.v + dv, 0.0, False)
@@ -86,7 +82,7 @@ def linearise(model: SystemModel, work: Workspace, state: Equilibrium) -> Linear
         stiffness[:, j] = (force(-step, zero) - force(step, zero)) / (2 * _DISPLACEMENT)
         step[j] = _VELOCITY
         damping[:, j] = (force(zero, -step) - force(zero, step)) / (2 * _VELOCITY)
-    return Linearisation(mass, stiffness, damping)
+    return Linearisation(masses(model), stiffness, damping + gyroscopic_moments(model, state.v))
 
 
 @dataclass(frozen=True)
@@ -154,20 +150,21 @@ class LinearVehicle:
         )
         return model, self._work, equilibrium(self.vehicle, model, self._work)
 
-    def modes(self, speed: float, *, undamped: bool = False) -> list[Mode]:
+    def modes(self, speed: float, *, undamped: bool = False, step: float = 0.0) -> list[Mode]:
         """Oscillating modes by frequency, from `LOWEST_FREQUENCY` to `HIGHEST_FREQUENCY`.
 
         Parameters
         ----------
         speed : [m/s], > 0
-        undamped : dampers and creep off: the modes of the structure on rails without friction
+        undamped : dampers, creep and gyroscopic moments off: the structure on rails without friction
+        step : with one, of a run in such time steps, whose creepage follows the later the longer they are [s]
 
         Raises
         ------
         NoEquilibrium
             There is no equilibrium at that speed.
         """
-        model, work, state = self.at(speed)
+        model, work, state = self.at(speed, step)
         if undamped:
             model = _without_creep(model)
         found = linearise(model, work, state)
@@ -181,9 +178,9 @@ class LinearVehicle:
         ]
         return sorted(chosen, key=lambda mode: mode.eigenvalue.imag)
 
-    def growth(self, speed: float) -> tuple[float, Mode]:
-        """Largest growth, -damping ratio, of an oscillating mode at a speed [m/s], and that mode."""
-        mode = min(self.modes(speed), key=lambda mode: mode.damping_ratio)
+    def growth(self, speed: float, step: float = 0.0) -> tuple[float, Mode]:
+        """Growth, -damping ratio, of the oscillating mode that grows most at a speed [m/s], and that mode."""
+        mode = min(self.modes(speed, step=step), key=lambda mode: mode.damping_ratio)
         return -mode.damping_ratio, mode
 
 

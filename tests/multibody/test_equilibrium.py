@@ -1,4 +1,7 @@
-"""Static equilibrium of the loaded and the empty wagon."""
+"""Static equilibrium: statics of the wagon, settling in time where the root search stalls, what has none."""
+
+import time as clock
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -6,7 +9,8 @@ import pytest
 from hh_exudyn.contact.types import Patch
 from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.multibody.assembly import assemble
-from hh_exudyn.multibody.equilibrium import FORCE_TOLERANCE, equilibrium
+from hh_exudyn.multibody.control import vehicle_control
+from hh_exudyn.multibody.equilibrium import FORCE_TOLERANCE, TIME_LIMIT, NoEquilibrium, equilibrium
 from hh_exudyn.multibody.model import Ledger, workspace
 from vehicles.catalogue import vehicle
 from vehicles.parameters import load_parameters
@@ -89,3 +93,152 @@ def test_a_track_that_begins_in_a_curve_is_refused(demo):
     case = demo.with_changes(track={"sections": [curve]})
     with pytest.raises(ValueError, match=r"first 11\.3 m must be straight"):
         settle(case)
+
+
+def straight(demo, gauge, **changes):
+    track = changes.pop("track", {}) | {
+        "sections": [{"kind": "straight", "length_m": 60.0, "gauge_mm": gauge}],
+    }
+    return demo.with_changes(track=track, **changes)
+
+
+STALLS = {  # in these the contact of a centred wheel lies where it goes from the tread to the flange root
+    "WP4_like on 60E1": (1435.0, {"wheel_profile": "WP4_like"}),
+    "rigid, 1:40": (1434.0, {"track": {"flexibility": "rigid", "inclination": "1:40"}}),
+    "54E2, slope": (
+        1434.0,
+        {"track": {"rail": "54E2", "grades": [{"length_m": 60.0, "gradient_per_mille": 10.0}]}},
+    ),
+    "empty on MB4_like": (
+        1435.0,
+        {
+            "vehicle": "iore_wagon_empty",
+            "wheel_profile": "WP4_like",
+            "track": {"rail": "MB4_like", "flexibility": "rigid"},
+        },
+    ),
+    "locomotive": (
+        1436.0,
+        {
+            "vehicle": "iore_locomotive",
+            "wheel_profile": "WP4_like",
+            "track": {"rail": "MB1_like", "flexibility": "rigid"},
+        },
+    ),
+}
+
+
+@pytest.mark.parametrize("name", STALLS)
+def test_where_the_root_search_stalls_the_vehicle_settles_in_time(demo, name):
+    """Carried by its wheels, alike left and right, at rest within the tolerance, and soon."""
+    gauge, changes = STALLS[name]
+    settle(demo)  # compiled
+    begun = clock.thread_time()
+    wagon, work, state = settle(straight(demo, gauge, **changes))
+    taken = clock.thread_time() - begun
+    slope = 1e-3 * sum(grade["gradient_per_mille"] for grade in changes.get("track", {}).get("grades", ()))
+    loads = -work.rail_force[:, :, 1]
+    assert loads.sum() == pytest.approx(wagon.mass * GRAVITY * np.cos(np.arctan(slope)), rel=1e-5)
+    assert loads[:, 0] == pytest.approx(loads[:, 1], rel=1e-3)
+    assert np.abs(work.generalized_force).max() <= FORCE_TOLERANCE
+    spinning = [6 * i + 4 for i, body in enumerate(wagon.bodies) if body.kind == "wheelset"]
+    assert state.v[spinning] == pytest.approx(demo.speed / wagon.wheelsets[0].radius, rel=5e-3)
+    assert taken < TIME_LIMIT
+
+
+@pytest.mark.parametrize(
+    ("name", "track"),
+    [
+        ("iore_wagon_loaded", {"grades": [{"length_m": 60.0, "gradient_per_mille": 20.0}]}),
+        ("iore_wagon_pair_empty", {}),
+        ("iore_locomotive", {"flexibility": "rigid"}),
+        ("manchester_vehicle_1", {}),
+    ],
+)
+def test_settling_and_root_search_find_the_same(demo, monkeypatch, name, track):
+    case = straight(demo, 1440.0, vehicle=name, track=track)
+    _, searched, first = settle(case)
+    loads = searched.rail_force[:, :, 1].copy()
+    monkeypatch.setattr("hh_exudyn.multibody.equilibrium._SEARCH_LIMIT", -1.0)  # no time for it
+    _, settled, second = settle(case)
+    assert settled.rail_force[:, :, 1] == pytest.approx(loads, rel=1e-6)
+    assert second.q == pytest.approx(first.q, abs=1e-9)
+    assert second.v == pytest.approx(first.v, rel=1e-6, abs=1e-9)
+
+
+def test_settling_alone_comes_as_near(demo, monkeypatch):
+    """Without any root search: three seconds of damped motion leave less than the tolerance."""
+    case = straight(demo, 1440.0)
+    _, searched, _ = settle(case)
+    loads = searched.rail_force[:, :, 1].copy()
+    monkeypatch.setattr("hh_exudyn.multibody.equilibrium._balance", lambda *_: False)
+    _, settled, _ = settle(case)
+    assert settled.rail_force[:, :, 1] == pytest.approx(loads, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (
+            lambda wagon: without(wagon, "centre_plate", "side_bearer"),
+            r"on car_body upwards .*nothing holds it",
+        ),
+        (
+            lambda wagon: without(wagon, "axle_box_wheelset_1"),
+            r"N m remains on side_frame_1[LR] in pitch .*axle_box",
+        ),
+        (
+            lambda wagon: moved(wagon, "car_body", (0.0, 0.9, 0.0)),
+            r"on car_body .*(side_bearer|centre_plate)_",
+        ),
+    ],
+)
+def test_what_has_no_equilibrium_says_where_and_soon(demo, change, message):
+    settle(straight(demo, 1440.0))  # compiled
+    wagon = change(vehicle("iore_wagon_loaded"))
+    model = assemble(wagon, straight(demo, 1440.0))
+    begun = clock.thread_time()
+    with pytest.raises(NoEquilibrium, match=message) as caught:
+        equilibrium(wagon, model, workspace(model))
+    assert clock.thread_time() - begun < 10.0
+    assert "allowed 5" in str(caught.value)
+
+
+def test_a_locomotive_without_adhesion_has_no_equilibrium(demo):
+    """Two units and 68 wagons on 6 per mille ask for 0.16, friction is 0.03."""
+    track = {"grades": [{"length_m": 60.0, "gradient_per_mille": 6.0}]}
+    case = straight(demo, 1440.0, vehicle="iore_locomotive", friction=0.03, track=track)
+    locomotive = vehicle(case.vehicle)
+    model = assemble(locomotive, case)
+    work = workspace(model)
+    vehicle_control(case, locomotive, model, work)
+    with pytest.raises(
+        NoEquilibrium, match=r"iore_locomotive at 60 km/h.*creep forces at their bound on \d+ wheels"
+    ):
+        equilibrium(locomotive, model, work)
+
+
+def test_a_load_off_the_middle_is_carried_by_moments(demo):
+    """Car body 0.2 m to the left: the moment of its weight about the track, and of the roll that it makes."""
+    wagon = moved(vehicle("iore_wagon_loaded"), "car_body", (0.0, 0.2, 0.0))
+    model = assemble(wagon, straight(demo, 1440.0))
+    work = workspace(model)
+    equilibrium(wagon, model, work)
+    loads = -work.rail_force[:, :, 1].sum(axis=0)
+    centre = (model.weight @ work.position[:, 1]) / model.weight.sum()  # where the weight has gone
+    contact = 0.75  # m, about half the distance of the contacts
+    assert loads.sum() == pytest.approx(model.weight.sum(), abs=8 * FORCE_TOLERANCE)
+    assert centre > 0.2 * wagon.body("car_body").mass / wagon.mass
+    assert (loads[0] - loads[1]) / loads.sum() == pytest.approx(centre / contact, rel=0.02)
+
+
+def moved(wagon, name, way):
+    bodies = [
+        replace(b, position=tuple(np.add(b.position, way))) if b.name == name else b for b in wagon.bodies
+    ]
+    return replace(wagon, bodies=tuple(bodies))
+
+
+def without(wagon, *names):
+    kept = [c for c in wagon.couplings if not c.name.startswith(names)]
+    return replace(wagon, couplings=tuple(kept))

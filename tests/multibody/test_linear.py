@@ -6,6 +6,13 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
+from hh_exudyn.contact.profile import Profile
+from hh_exudyn.contact.rail_tables import with_origin
+from hh_exudyn.contact.theories import GIVEN
+from hh_exudyn.contact.types import GivenCreep
+from hh_exudyn.contact.wheel_rail import wheel_rail_model
+from hh_exudyn.conventions import FLANGE_BACK_TO_RUNNING_CIRCLE, NOMINAL_GAUGE
+from hh_exudyn.multibody.equilibrium import equilibrium
 from hh_exudyn.multibody.hunting import lateral_motion, nonlinear_critical_speed
 from hh_exudyn.multibody.linear import LinearVehicle, critical_speed, root_locus
 from vehicles.catalogue import VEHICLES, parameters, vehicle
@@ -28,12 +35,12 @@ def wheelset(given_case):
     return LinearVehicle(vehicle("suspended_wheelset"), given_case)
 
 
-def closed_form():
+def closed_form(conicity=None, **spin):
     p = parameters("suspended_wheelset")
     return critical_speed_closed_form(
         p["wheelset.mass"], p["wheelset.yaw_inertia"], p["suspension.lateral_stiffness"],
         p["suspension.yaw_stiffness"], p["contact.longitudinal_creep"], p["contact.lateral_creep"],
-        p["contact.half_distance"], p["contact.conicity"], p["wheelset.radius"],
+        p["contact.half_distance"], conicity or p["contact.conicity"], p["wheelset.radius"], **spin,
     )  # fmt: skip
 
 
@@ -54,8 +61,109 @@ def test_motion_in_time_decays_just_below_and_grows_just_above(wheelset, share):
     motion = lateral_motion(wheelset, speed, 1.5, 1e-4)
     rate = motion.growth_rate(0.4)
     assert rate * (share - 1.0) > 0.0
-    assert rate == pytest.approx(mode.eigenvalue.real, rel=0.03)
+    assert rate == pytest.approx(mode.eigenvalue.real, rel=5e-3)
     assert motion.frequency(0.4) == pytest.approx(mode.frequency, rel=5e-3)
+
+
+def cones(path, slope):
+    """A cone that bends over 12 mm into a 70 degree flange, two columns in mm."""
+    y = np.arange(-60.0, 45.0, 0.1)
+    bend = np.clip((y - 28.0) / 12.0, 0.0, 1.0)
+    slopes = slope + (np.tan(np.radians(70.0)) - slope) * bend**2 * (3.0 - 2.0 * bend)
+    z = -np.concatenate([[0.0], np.cumsum((slopes[1:] + slopes[:-1]) / 2 * np.diff(y))])
+    np.savetxt(path, np.column_stack([y, z - np.interp(0.0, y, z)]), fmt="%.6f")
+    return str(path)
+
+
+@pytest.mark.parametrize("speed", [41.5, 46.0])
+def test_growth_in_time_is_the_eigenvalues_with_gyroscopic_moments(given_case, tmp_path, speed):
+    """Cones of 0.3 on 60E1, FaStrip: either side of the critical speed, 43.8 m/s, within 0.02 %.
+
+    Without the moments the eigenvalue would be off by 0.55 1/s, 39 and 94 % of these two. Motions must be
+    small: 10 um at the start change the growth by 1 %. The eigenvalue is of a run in the same steps, in which
+    the creepage follows later.
+    """
+    case = given_case.with_changes(
+        wheel_profile=cones(tmp_path / "cones.txt", 0.3),
+        contact={"theory": "fastrip"},
+        track={"sections": [STRAIGHT[0] | {"gauge_mm": 1450.0}], "inclination": "1:40"},
+    )
+    coned = LinearVehicle(vehicle("suspended_wheelset"), case)
+    _, mode = coned.growth(speed, step=4e-4)
+    motion = lateral_motion(coned, speed, 2.0, 1e-6, step=4e-4)
+    assert motion.growth_rate(0.5) == pytest.approx(mode.eigenvalue.real, rel=2e-3)
+    assert motion.frequency(0.5) == pytest.approx(mode.frequency, rel=5e-3)
+
+
+class OnCones(LinearVehicle):
+    """The suspended wheelset with its stated creep coefficients, but on cones that roll it."""
+
+    CROWN = 0.03  # m, radius of the rail heads: tight, so that the contact stays where it is
+
+    def at(self, speed, step=0.0):
+        stated, slope = self.vehicle.contact, self.vehicle.contact.conicity
+        y = np.arange(-0.05, 0.045, 0.25e-3)
+        cone = Profile("cone", "wheel", y, -slope * y - 0.028 * np.clip((y - 0.03) / 0.015, 0.0, None) ** 3)
+        y = np.arange(-0.034, 0.0341, 0.25e-3)
+        z = np.sqrt(self.CROWN**2 - np.minimum(np.abs(y), 0.8 * self.CROWN) ** 2) - self.CROWN
+        z -= 4.0 / 3.0 * np.clip(np.abs(y) - 0.8 * self.CROWN, 0.0, None)
+        crown = Profile("crown", "rail", y, z)
+        contact = wheel_rail_model(
+            cone,
+            cone,
+            crown,
+            crown,
+            nominal_radius=self.vehicle.wheelsets[0].radius,
+            back_to_back=2.0 * (stated.half_distance - FLANGE_BACK_TO_RUNNING_CIRCLE),
+            theory="linear",
+        )
+        # contact at the running circle, where the crown is as steep as the cone
+        offset = stated.half_distance - 0.5 * NOMINAL_GAUGE + self.CROWN * np.sin(np.arctan(slope))
+        contact = contact._replace(
+            rails_left=with_origin(contact.rails_left, offset),
+            rails_right=with_origin(contact.rails_right, offset),
+            theory=GIVEN,
+            given=GivenCreep(
+                stated.longitudinal, stated.lateral, 0.0
+            ),  # cones have their conicity themselves
+        )
+        model, work, _ = super().at(speed, step)
+        model = model._replace(wheel_rail=contact)
+        return model, work, equilibrium(self.vehicle, model, work)
+
+
+def spinning(inertia):
+    """The suspended wheelset with another spin inertia [kg m^2]."""
+    described = vehicle("suspended_wheelset")
+    bodies = [
+        replace(body, inertia=(body.inertia[0], inertia, body.inertia[2]))
+        if body.kind == "wheelset"
+        else body
+        for body in described.bodies
+    ]
+    return replace(described, bodies=tuple(bodies))
+
+
+def test_gyroscopic_moments_raise_the_critical_speed_as_the_closed_form_says(given_case):
+    """On cones of 0.1 by 3.1 % for 100 kg m^2 and by 10 % for 300: within 0.1 and 0.4 % of the closed form.
+
+    The more of it, the more the contact springs give way in roll, which the closed form holds rigid.
+    """
+    p = parameters("suspended_wheelset")
+    slope, radius, half = p["contact.conicity"], p["wheelset.radius"], p["contact.half_distance"]
+    roll = slope / half / (1.0 - radius * slope / half)
+    conicity = slope * (1.0 + radius * roll + OnCones.CROWN * roll)  # contacts move on wheel and rail
+
+    def closed(inertia):
+        return closed_form(conicity=conicity, roll=roll, spin_inertia=inertia)
+
+    still = critical_speed(OnCones(spinning(1.0), given_case), low=60.0, step=15.0).speed
+    assert still == pytest.approx(closed(1.0)[0], rel=2e-3)
+    for inertia, tolerance in ((100.0, 1e-3), (300.0, 4e-3)):
+        found = critical_speed(OnCones(spinning(inertia), given_case), low=60.0, step=15.0)
+        speed, frequency = closed(inertia)
+        assert found.speed / still == pytest.approx(speed / closed(1.0)[0], rel=tolerance)
+        assert found.mode.frequency == pytest.approx(frequency, rel=tolerance)
 
 
 def test_root_locus_follows_hunting_over_speed(wheelset):

@@ -18,14 +18,17 @@ EXAMPLE = {
 def growth(speed, p):
     """Largest real part of the four eigenvalues over the modulus of the largest."""
     f11, f22 = p["longitudinal_creep"], p["lateral_creep"]
-    mass = np.diag([p["mass"], p["yaw_inertia"]])
+    e, spin = p.get("roll", 0.0), p.get("spin_inertia", 0.0)
+    k, g = 1.0 + p["radius"] * e, e * spin * speed / p["radius"]
+    mass = np.diag([p["mass"] + p["yaw_inertia"] * e**2, p["yaw_inertia"]])
     stiffness = np.array(
         [
-            [p["lateral_stiffness"], -2 * f22],
+            [p["lateral_stiffness"], -2 * f22 * k],
             [2 * f11 * p["half_distance"] * p["conicity"] / p["radius"], p["yaw_stiffness"]],
         ]
     )
-    damping = np.diag([2 * f22, 2 * f11 * p["half_distance"] ** 2]) / speed
+    damping = np.diag([2 * f22 * k**2, 2 * f11 * p["half_distance"] ** 2]) / speed
+    damping += np.array([[0.0, -g], [g, 0.0]])
     system = np.block(
         [
             [np.zeros((2, 2)), np.eye(2)],
@@ -60,7 +63,8 @@ def test_published_example():
             "half_distance": st.floats(0.5, 0.9),
             "conicity": st.floats(0.01, 0.4),
             "radius": st.floats(0.3, 0.7),
-        }
+        },
+        optional={"roll": st.floats(0.0, 0.6), "spin_inertia": st.floats(0.0, 300.0)},
     )
 )
 def test_eigenvalues_cross_at_the_closed_form(p):
@@ -79,3 +83,18 @@ def test_eigenvalues_cross_at_the_closed_form(p):
 def test_a_number_out_of_range_is_refused(name, value):
     with pytest.raises(ValueError, match="must be >"):
         critical_speed_closed_form(**EXAMPLE | {name: value})
+
+
+def test_spin_without_roll_changes_nothing_and_with_roll_it_stabilises():
+    """By some per cent of the speed for a spin inertia of 100 kg m^2 on cones of 0.1."""
+    assert critical_speed_closed_form(**EXAMPLE, spin_inertia=100.0) == critical_speed_closed_form(**EXAMPLE)
+    of_cones = {"roll": 0.1 / 0.75 / (1.0 - 0.46 * 0.1 / 0.75)}
+    still, _ = critical_speed_closed_form(**EXAMPLE, **of_cones)
+    spinning, _ = critical_speed_closed_form(**EXAMPLE, **of_cones, spin_inertia=100.0)
+    assert 1.01 < spinning / still < 1.05
+
+
+@pytest.mark.parametrize("name", ["roll", "spin_inertia"])
+def test_roll_and_spin_below_zero_are_refused(name):
+    with pytest.raises(ValueError, match="must be >= 0"):
+        critical_speed_closed_form(**EXAMPLE, **{name: -1.0})

@@ -1,0 +1,120 @@
+"""Settling in time: a vehicle rolls in its place of the track until damping has taken all its motion.
+
+Where a root search jumps to and fro between the branches of a force that rises and falls steeply (contact
+that goes from the tread to the flange root), motion follows the force and ends where a disturbance dies out.
+The bodies move by their masses under all forces of the kernel and under one more, -RATE M (v - v0), against
+every velocity but the common one; the wheels go on rolling. What the train (or the drives) must give to keep
+the speed follows the sum of the forces along the track.
+"""
+
+import math
+import time
+
+import numpy as np
+
+from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.multibody.inertia import masses
+from hh_exudyn.multibody.model import BODY_COORDINATES, first_track
+from hh_exudyn.multibody.rolling import RollingVehicle
+
+RATE = 12.0  # 1/s, of the added damping: with it bounce at 2 Hz is critically damped to a half
+_FOLLOWING = 0.1  # s, in which train and drives follow the forces along the track
+# s; at a jump of the force no step is short enough for the tolerance: the shortest is stable, and is taken
+_SHORTEST_STEP, _FIRST_STEP, _LONGEST_STEP = 5e-5, 2e-4, 5e-3
+_RELATIVE, _PLACE, _RATE = 1e-4, 1e-8, 1e-6  # tolerances of a step: relative, m and rad, m/s and rad/s
+
+
+class Settling:
+    """The motion of a vehicle from its present state on, damped.
+
+    Attributes
+    ----------
+    time : that has passed in the motion [s]
+    """
+
+    def __init__(self, rolling: RollingVehicle) -> None:
+        self._rolling = rolling
+        model = rolling.model
+        size = rolling.q.size
+        self._mass = masses(model)
+        self._moves = np.ones(size)  # places; those of rates stay at zero
+        self._moves[rolling.rates] = 0.0
+        self._damping = RATE * self._moves
+        self._damping[first_track(model) :] = 0.0
+        self._drawn = rolling.q.copy()
+        self._torque_rate = 0.0
+        if rolling.driven:
+            radius = rolling.vehicle.wheelsets[0].radius
+            self._torque_rate = radius / model.drives.torque.size / _FOLLOWING
+        self.time = 0.0
+        self._tolerance = np.repeat([_PLACE, _RATE], size)
+        self._step = _FIRST_STEP
+        self._y = np.concatenate([np.zeros(size), rolling.v - rolling.still])
+
+    def run(self, end: float, deadline: float) -> bool:
+        """Go on to a time of the motion [s] and leave its state, without its velocities, in the vehicle.
+
+        Parameters
+        ----------
+        end : of the motion [s]
+        deadline : `time.thread_time()` at which to give up [s]
+
+        Returns
+        -------
+        Whether the end was reached: before the deadline, and with forces that are finite.
+        """
+        while self.time < end and time.thread_time() < deadline:
+            y, step = self._stepped()
+            if not np.isfinite(y).all():
+                self._put(self._y)
+                return False
+            self._y = y
+            self.time += step
+            self._follow(step)
+        self._put(self._y)
+        self._rolling.settled()
+        return self.time >= end
+
+    def _stepped(self) -> tuple[FloatArray, float]:
+        """State after the next step, and its length [s]; Bogacki and Shampine's pair of orders 3 and 2.
+
+        Third order, a stable reach of 2.5 on the real axis for three evaluations (Bogacki and Shampine 1989).
+        """
+        y = self._y
+        first = self._rates(y)
+        while True:
+            h = self._step
+            second = self._rates(y + 0.5 * h * first)
+            third = self._rates(y + 0.75 * h * second)
+            new = y + h * (2.0 / 9.0 * first + 1.0 / 3.0 * second + 4.0 / 9.0 * third)
+            fourth = self._rates(new)
+            error = h * (-5.0 / 72.0 * first + third / 9.0 + second / 12.0 - fourth / 8.0)
+            scale = self._tolerance + _RELATIVE * np.maximum(np.abs(y), np.abs(new))
+            size = float(np.sqrt(np.mean((error / scale) ** 2)))
+            factor = 0.9 * max(size, 1e-3) ** (-1.0 / 3.0) if math.isfinite(size) else 0.2
+            self._step = min(max(h * max(factor, 0.2), _SHORTEST_STEP), _LONGEST_STEP)
+            if size <= 1.0 or h <= _SHORTEST_STEP:
+                return new, h
+
+    def _put(self, y: FloatArray) -> None:
+        size = self._drawn.size
+        self._rolling.q[:] = self._drawn + y[:size]
+        self._rolling.v[:] = self._rolling.still + y[size:]
+
+    def _rates(self, y: FloatArray) -> FloatArray:
+        self._put(y)
+        moving = y[self._drawn.size :]
+        acceleration = self._rolling.forces() / self._mass - self._damping * moving
+        return np.concatenate([self._moves * moving, acceleration])
+
+    def _follow(self, step: float) -> None:
+        """What the train or the drives give less, where all forces together push the vehicle on."""
+        rolling = self._rolling
+        model, force = rolling.model, rolling.work.generalized_force
+        bodies = force[: first_track(model)].reshape(-1, BODY_COORDINATES)[:, :3]
+        push = float((bodies @ rolling.along).sum())
+        if rolling.driven:
+            model.drives.torque[:] -= push * self._torque_rate * step
+            rolling.pull_as_before()
+        else:
+            model.train.start[:] -= push / model.train.stiffness * step / _FOLLOWING
