@@ -1,9 +1,11 @@
 """The one door to numba: `kernel`, `inlined_kernel`, scratch `memory`, and `Bundle` for many arrays.
 
 Numba's file cache does not notice when a kernel in ANOTHER file changes, and then runs old code without
-a word. Here the cache folder is named by the hash of every source that kernels are made of, so that any
+a word. Here the cache folder of a kernel is named by the hash of every source that it can be made of: all
+files, in every subfolder, of its own part of the project and of those that part may import (`_PARTS`). Any
 change of one starts an empty cache. It lies under the user's cache directory; where that cannot be written,
-kernels are compiled in every process and one warning says so.
+kernels are compiled in every process and one warning says so. Folders that nothing has used for some time
+are deleted. Two processes may compile at once, and one may be killed: numba renames whole files into place.
 
 A kernel never raises: it returns a status or NaN, and its caller raises with wheel, time and position.
 """
@@ -11,8 +13,11 @@ A kernel never raises: it returns a status or NaN, and its caller raises with wh
 import hashlib
 import math
 import os
+import shutil
+import time
 import warnings
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
@@ -27,31 +32,44 @@ from numpy.typing import NDArray
 F = TypeVar("F", bound=Callable[..., Any])
 
 _ROOT = Path(__file__).resolve().parent.parent
-_KERNEL_SOURCES = (  # every file that holds a kernel, or a constant or type that kernels use
-    "hh_exudyn/kernel.py",
-    "hh_exudyn/conventions.py",
-    "hh_exudyn/contact/*.py",
-    "hh_exudyn/multibody/*.py",
-    "vehicles/*.py",
-    "track/*.py",
-    "damage/**/*.py",
-)
+_PACKAGES = ("hh_exudyn", "vehicles", "track", "damage")
+_BASE = ("hh_exudyn/*.py",)  # this file, constants, units
+_CONTACT = ("hh_exudyn/contact/**/*.py",)
+_PARTS = {  # part of the project: what its kernels can be made of, beside `_BASE`; else it is everything
+    "hh_exudyn.contact": _CONTACT,
+    "vehicles": ("vehicles/**/*.py", *_CONTACT),
+    "track": ("track/**/*.py", *_CONTACT),
+    "damage": ("damage/**/*.py", "hh_exudyn/log/**/*.py", *_CONTACT),
+}
+_EVERYTHING = tuple(f"{package}/**/*.py" for package in _PACKAGES)
+_UNUSED_SECONDS = 14 * 24 * 3600.0  # after which a cache folder is deleted
+_MOST_FOLDERS = 40  # of these the oldest are deleted earlier, if they have not been used for an hour
+_IN_USE_SECONDS = 3600.0
 
 
-def source_hash() -> str:
-    """Hash (hexadecimal, 16 digits) of every source that kernels are made of, and of numba's version."""
+def source_hash(part: str = "") -> str:
+    """Hash (hexadecimal, 16 digits) of every source of a part of `_PARTS`, and of numba's version.
+
+    For any other name, and none, of every source of the project.
+    """
     digest = hashlib.sha256(numba.__version__.encode())
-    for pattern in _KERNEL_SOURCES:
-        for path in sorted(_ROOT.glob(pattern)):
-            digest.update(path.relative_to(_ROOT).as_posix().encode())
-            digest.update(path.read_bytes())
+    patterns = (*_BASE, *_PARTS[part]) if part in _PARTS else _EVERYTHING
+    for path in sorted({path for pattern in patterns for path in _ROOT.glob(pattern)}):
+        digest.update(path.relative_to(_ROOT).as_posix().encode())
+        digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
 
 
-def _cache_folder() -> Path | None:
-    """The cache folder, made if need be; None (after one warning) where it cannot be written."""
+def _part_of(module: str) -> str:
+    """The part of `_PARTS` in which a module lies, "" for none."""
+    return next((part for part in _PARTS if module == part or module.startswith(part + ".")), "")
+
+
+@cache
+def _cache_base() -> Path | None:
+    """Where the cache folders lie; None (after one warning) where that cannot be written."""
     base = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
-    folder = Path(base) / "hh_exudyn" / source_hash()
+    folder = Path(base) / "hh_exudyn"
     try:
         folder.mkdir(parents=True, exist_ok=True)
         probe = folder / f"probe-{os.getpid()}"
@@ -65,17 +83,49 @@ def _cache_folder() -> Path | None:
             stacklevel=2,
         )
         return None
+    _prune(folder)
     return folder
 
 
-_FOLDER = _cache_folder()
-if _FOLDER is not None:
-    numba.config.CACHE_DIR = str(_FOLDER)
+def _prune(base: Path) -> None:
+    """Delete cache folders that nothing uses any more; whatever cannot be deleted stays."""
+    now = time.time()
+    ages = []
+    for folder in base.iterdir():
+        try:
+            ages.append((now - folder.stat().st_mtime, folder))
+        except OSError:  # deleted by another process just now
+            continue
+    ages.sort(key=lambda item: item[0])
+    for place, (age, folder) in enumerate(ages):
+        if age > _UNUSED_SECONDS or (place >= _MOST_FOLDERS and age > _IN_USE_SECONDS):
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+@cache
+def _cache_folder(part: str) -> Path | None:
+    """The cache folder of a part, made if need be and marked as used now."""
+    base = _cache_base()
+    if base is None:
+        return None
+    folder = base / source_hash(part)
+    folder.mkdir(exist_ok=True)
+    os.utime(folder)
+    return folder
 
 
 # What is written out for four or eight numbers that lie side by side becomes vector instructions; numba
 # leaves that out unless told. It changes no sum's order, so no result.
 numba.config.SLP_VECTORIZE = 1
+
+
+def _compiled(function: F, **options: bool) -> F:
+    """The function compiled, with the cache folder of its part."""
+    folder = _cache_folder(_part_of(function.__module__))
+    if folder is not None:
+        numba.config.CACHE_DIR = str(folder)  # numba reads it here, where the function is decorated
+    result: F = numba.njit(cache=folder is not None, error_model="numpy", nogil=True, **options)(function)
+    return result
 
 
 def kernel(function: F) -> F:
@@ -84,8 +134,7 @@ def kernel(function: F) -> F:
     Divisions by zero give infinities or NaN as in numpy instead of exceptions. Set NUMBA_DISABLE_JIT=1 to
     run kernels as plain Python.
     """
-    compiled: F = numba.njit(cache=_FOLDER is not None, error_model="numpy", nogil=True)(function)
-    return compiled
+    return _compiled(function)
 
 
 def inlined_kernel(function: F) -> F:
@@ -94,10 +143,7 @@ def inlined_kernel(function: F) -> F:
     For what is small, called often and takes a NamedTuple of tables: every call would copy some fifty numbers
     to the stack and back, which costs more than what the function does.
     """
-    compiled: F = numba.njit(cache=_FOLDER is not None, error_model="numpy", nogil=True, forceinline=True)(
-        function
-    )
-    return compiled
+    return _compiled(function, forceinline=True)
 
 
 @intrinsic(prefer_literal=True)

@@ -4,9 +4,11 @@ import os
 import shutil
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
+from source_tree import imports_of
 
 from hh_exudyn import kernel
 
@@ -70,6 +72,83 @@ def test_hash_follows_every_kernel_source(project: Path, name: str, monkeypatch:
     assert before == kernel.source_hash()
     (project / name).write_text((project / name).read_text() + "\n# changed\n")
     assert kernel.source_hash() != before
+
+
+def test_every_module_that_imports_the_kernel_is_hashed_with_all_that_it_imports() -> None:
+    """The project's own imports, from every module with kernels on, lie in what its cache is named by."""
+    root = kernel._ROOT
+    found = [path for package in kernel._PACKAGES for path in (root / package).rglob("*.py")]
+    modules = {".".join(path.relative_to(root).with_suffix("").parts).removesuffix(".__init__"): path
+               for path in found}  # fmt: skip
+    graph = {module: imports_of(path, module, set(modules))[0] & set(modules)
+             for module, path in modules.items()}  # fmt: skip
+    with_kernels = [module for module, targets in graph.items() if "hh_exudyn.kernel" in targets]
+    assert len(with_kernels) > 50
+    for module in with_kernels:
+        part = kernel._part_of(module)
+        patterns = (*kernel._BASE, *kernel._PARTS[part]) if part else kernel._EVERYTHING
+        hashed = {path for pattern in patterns for path in root.glob(pattern)}
+        reached, waiting = set(), [module]
+        while waiting:
+            name = waiting.pop()
+            if name not in reached:
+                reached.add(name)
+                waiting += graph[name]
+        assert {modules[name] for name in reached} <= hashed, module
+
+
+def test_a_kernel_in_a_subfolder_is_never_stale(project: Path, tmp_path: Path) -> None:
+    deep = project / "hh_exudyn/contact/geometry/inner.py"
+    deep.parent.mkdir()
+    (deep.parent / "__init__.py").touch()
+    deep.write_text((project / "hh_exudyn/contact/inner.py").read_text())
+    outer = project / "hh_exudyn/contact/outer.py"
+    outer.write_text(outer.read_text().replace("contact.inner", "contact.geometry.inner"))
+    assert run(project, CALL, tmp_path / "cache").stdout.split() == ["7.0", "0"]
+    deep.write_text(deep.read_text().replace("2.0", "20.0"))
+    assert run(project, CALL, tmp_path / "cache").stdout.split() == ["61.0", "0"]
+
+
+def test_a_part_is_compiled_anew_only_for_what_it_can_be_made_of(project: Path, tmp_path: Path) -> None:
+    """Damage and the command line are above the contact: its kernels stay."""
+    assert run(project, CALL, tmp_path / "cache").stdout.split() == ["7.0", "0"]
+    for name in ("damage/rcf.py", "vehicles/wedge.py", "hh_exudyn/cli/app.py"):
+        (project / name).parent.mkdir(exist_ok=True)
+        (project / name).write_text("CHANGED = 1.0")
+    assert run(project, CALL, tmp_path / "cache").stdout.split() == ["7.0", "1"]
+
+
+def test_unused_caches_are_deleted(project: Path, tmp_path: Path) -> None:
+    base = tmp_path / "cache" / "hh_exudyn"
+    ages = {"ancient": 20 * 24 * 3600.0, "recent": 3600.0} | {f"many_{k}": 7200.0 + k for k in range(60)}
+    for name, age in ages.items():
+        (base / name).mkdir(parents=True)
+        (base / name / "index").touch()
+        os.utime(base / name, (time.time() - age,) * 2)
+    assert run(project, CALL, tmp_path / "cache").returncode == 0
+    left = {folder.name for folder in base.iterdir()}
+    assert "ancient" not in left and "recent" in left
+    assert "many_0" in left and "many_59" not in left
+    assert len(left) < 50
+
+
+def test_compiling_at_once_and_being_killed_leave_a_sound_cache(project: Path, tmp_path: Path) -> None:
+    env = os.environ | {"PYTHONPATH": str(project), "XDG_CACHE_HOME": str(tmp_path / "cache")}
+    env.pop("NUMBA_CACHE_DIR", None)
+    start = [sys.executable, "-c", CALL]
+    processes = [
+        subprocess.Popen(start, cwd=project, env=env, stdout=subprocess.PIPE, text=True) for _ in range(4)
+    ]
+    folder = tmp_path / "cache" / "hh_exudyn"
+    for _ in range(600):  # until the first has begun to write
+        if any(folder.rglob("*.nb?")) or processes[0].poll() is not None:
+            break
+        time.sleep(0.05)
+    processes[0].kill()
+    for process in processes[1:]:
+        assert process.communicate()[0].split()[0] == "7.0"
+    processes[0].communicate()
+    assert run(project, CALL, tmp_path / "cache").stdout.split() == ["7.0", "1"]
 
 
 def test_hash_sees_new_and_renamed_files_only_among_sources(
