@@ -3,11 +3,11 @@
 import math
 from dataclasses import dataclass, field
 
-from damage.burstow import Burstow, BurstowLimits
-from damage.lateral_grid import LateralGrid, PatchGrid
 from damage.material import ER7, WheelMaterial
-from damage.patch_field import theory_number
-from damage.rcf import FLANGE_ANGLE
+from damage.rcf.burstow import Burstow, BurstowLimits
+from damage.rcf.surface_index import FLANGE_ANGLE
+from damage.surface.lateral_grid import LateralGrid, PatchGrid
+from damage.surface.patch_field import theory_number
 from damage.wear.archard import archard
 from damage.wear.law import WearLaw
 
@@ -25,7 +25,7 @@ class DamageModel:
     law
         The wear law, see `damage.wear.laws.wear_law`.
     theory
-        Tangential theory, one of `damage.patch_field.DAMAGE_THEORIES`.
+        Tangential theory, one of `damage.surface.patch_field.DAMAGE_THEORIES`.
     cells
         Cells of a patch along and across [-].
     flange_angle

@@ -7,17 +7,17 @@ import numpy as np
 import pyarrow
 from numpy.typing import NDArray
 
-from damage.accumulate import accumulate
-from damage.bad_rows import BadRows
-from damage.burstow import Burstow
-from damage.contact_source import ContactSource
-from damage.lateral_grid import LateralGrid, PatchGrid
+from damage.log_input.bad_rows import BadRows
+from damage.log_input.contact_source import ContactSource
 from damage.material import ER7, WheelMaterial
 from damage.model import DamageModel
-from damage.rcf import FLANGE_ANGLE
+from damage.rcf.burstow import Burstow
+from damage.rcf.surface_index import FLANGE_ANGLE
+from damage.surface.accumulate import accumulate
+from damage.surface.lateral_grid import LateralGrid, PatchGrid
+from damage.surface.wheel_surface import DEFAULT_PATCH_GRID, FLANGE, TREAD, WheelSurface
 from damage.wear.archard import archard
 from damage.wear.law import WearLaw
-from damage.wheel_surface import DEFAULT_PATCH_GRID, FLANGE, TREAD, WheelSurface
 from hh_exudyn.contact.profile import Profile
 
 DRY_ARCHARD = archard()
@@ -141,11 +141,12 @@ def assess(
     Parameters
     ----------
     source
-        A run, its directory, Parquet files, a table, or arrays: `damage.contact_source.ContactSource`.
+        A run, its directory, Parquet files, a table, or arrays:
+        `damage.log_input.contact_source.ContactSource`.
     material
         The wheel steel.
     theory
-        Tangential theory, one of `damage.patch_field.DAMAGE_THEORIES`.
+        Tangential theory, one of `damage.surface.patch_field.DAMAGE_THEORIES`.
     cells
         Cells of a patch along and across [-].
     law

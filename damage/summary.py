@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from damage.contact_states import contact_chunks
+from damage.log_input.contact_states import contact_chunks
 from damage.material import ER7
-from damage.rcf import surface_fatigue_index
+from damage.rcf.surface_index import surface_fatigue_index
 from damage.wear.energy import wear_number
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.log.store import Run

@@ -6,8 +6,8 @@ The wheel has 915 mm diameter and touches a rail head of 300 mm radius with its 
 FaStrip agree on the force within some per cent; what FaStrip improves is the shear stress.
 """
 
-from hh_exudyn.contact.hertz import hertz_patch
-from hh_exudyn.contact.tangential import creep_force
+from hh_exudyn.contact.normal.hertz import hertz_patch
+from hh_exudyn.contact.tangential.api import creep_force
 from hh_exudyn.conventions import GRAVITY
 
 

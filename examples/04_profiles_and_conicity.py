@@ -11,9 +11,9 @@ import sys
 
 import numpy as np
 
-from hh_exudyn.contact.functions import equivalent_conicity
+from hh_exudyn.contact.geometry.functions import equivalent_conicity
 from hh_exudyn.contact.profile import WHEEL_PROFILES, rail_profile, read_wheel_profile, wheel_profile
-from hh_exudyn.contact.profile_measures import (
+from hh_exudyn.contact.profiles.measures import (
     flange_angle,
     flange_height,
     flange_steepness,

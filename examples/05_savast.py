@@ -17,7 +17,7 @@ from hh_exudyn.case import read_case
 from hh_exudyn.figures.wheel_forces import force_histograms, force_spectra
 from hh_exudyn.log.wheel_forces import wheel_forces
 from hh_exudyn.multibody.once import simulate_once
-from track.sleepers import sleeper_track
+from track.support.sleepers import sleeper_track
 
 SPEEDS = {"loaded": (50, 60), "empty": (60, 70)}  # km/h: the larger from the thesis, the lower assumed
 FRICTIONS = (0.20, 0.35, 0.50)  # the thesis: 0.2 to 0.5

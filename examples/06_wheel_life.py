@@ -18,12 +18,12 @@ from damage.evolution.profile_wear import ProfileWear, mean_wear
 from damage.figures.evolution import measures_figure, profiles_figure
 from damage.report import assess
 from hh_exudyn.case import Case, StraightCase, TrackCase
-from hh_exudyn.case_line import case_on, section_name
+from hh_exudyn.case.line import case_on, section_name
 from hh_exudyn.contact.profile import Profile, wheel_profile
-from hh_exudyn.contact.profile_writer import write_profile
+from hh_exudyn.contact.profiles.writer import write_profile
 from hh_exudyn.log.store import open_run
 from hh_exudyn.multibody.simulate import simulate
-from track.line import load_sections, read_line
+from track.line.line import load_sections, read_line
 
 FOLDER, KM, SECTIONS = Path(sys.argv[1]), float(sys.argv[2]), int(sys.argv[3])
 TRACK = TrackCase(sections=(StraightCase(length_m=150, gauge_mm=1437),), irregularity="erri_low")

@@ -15,7 +15,7 @@ from damage.summary import steady_window, wheelset_summary
 from hh_exudyn.case import read_case
 from hh_exudyn.figures.curving import curving_figure
 from hh_exudyn.multibody.once import simulate_once
-from track.alignment import cant_deficiency
+from track.course.alignment import cant_deficiency
 
 RADII = (300.0, 450.0, 700.0, 1200.0, 2000.0)  # m
 DEFICIENCY = 20.0  # mm, assumed: moderate, so that outer wheels carry somewhat more

@@ -12,12 +12,12 @@ import numpy as np
 from scipy.optimize import brentq
 
 from hh_exudyn.case import Case, FrictionCase, FrictionSectionCase, GradeCase, StraightCase, TrackCase
-from hh_exudyn.case_traction import TractionCase
+from hh_exudyn.case.traction import TractionCase
 from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.figures.traction import control_figure, effort_figure
 from hh_exudyn.multibody.simulate import simulate
 from vehicles.catalogue import vehicle
-from vehicles.train import locomotive_resistance
+from vehicles.traction.train import locomotive_resistance
 
 UNIT = vehicle("iore_locomotive")
 SPEED = 60 / 3.6  # m/s

@@ -13,7 +13,7 @@ import numpy as np
 import pyarrow
 
 from hh_exudyn.case import Case, CurveCase, StraightCase, TrackCase, TransitionCase
-from hh_exudyn.case_traction import SteeringCase
+from hh_exudyn.case.traction import SteeringCase
 from hh_exudyn.figures.traction import steering_figure
 from hh_exudyn.multibody.simulate import simulate
 from vehicles.catalogue import vehicle

@@ -40,6 +40,14 @@ _PARTS = {  # part of the project: what its kernels can be made of, beside `_BAS
     "vehicles": ("vehicles/**/*.py", *_CONTACT),
     "track": ("track/**/*.py", *_CONTACT),
     "damage": ("damage/**/*.py", "hh_exudyn/log/**/*.py", *_CONTACT),
+    "hh_exudyn.multibody": (
+        "hh_exudyn/multibody/**/*.py",
+        "hh_exudyn/case/**/*.py",
+        "hh_exudyn/log/**/*.py",
+        "vehicles/**/*.py",
+        "track/**/*.py",
+        *_CONTACT,
+    ),
 }
 _EVERYTHING = tuple(f"{package}/**/*.py" for package in _PACKAGES)
 _UNUSED_SECONDS = 14 * 24 * 3600.0  # after which a cache folder is deleted

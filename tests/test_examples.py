@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from hh_exudyn.contact.profile import wheel_profile
-from hh_exudyn.contact.profile_writer import write_profile
+from hh_exudyn.contact.profiles.writer import write_profile
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 

@@ -11,13 +11,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
-from vehicles.cooperrider import cooperrider_bogie
 from vehicles.description import Vehicle
-from vehicles.locomotive import iore_locomotive
-from vehicles.manchester import manchester_vehicle_1
+from vehicles.models.cooperrider import cooperrider_bogie
+from vehicles.models.locomotive import iore_locomotive
+from vehicles.models.manchester import manchester_vehicle_1
+from vehicles.models.suspended_wheelset import suspended_wheelset
+from vehicles.models.wagon import ore_wagon, ore_wagon_pair
 from vehicles.parameters import ParameterSet, load_parameters
-from vehicles.suspended_wheelset import suspended_wheelset
-from vehicles.wagon import ore_wagon, ore_wagon_pair
 
 
 @dataclass(frozen=True)

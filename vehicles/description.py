@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from hh_exudyn.conventions import GRAVITY
 from vehicles.couplings import AxleBox, AxleBoxPad, BumpStop, Coupling, Rod, Vector
 from vehicles.soundness import require_sound
-from vehicles.traction import TractionEquipment
+from vehicles.traction.effort import TractionEquipment
 
 BODY_KINDS = ("car_body", "bogie_frame", "bolster", "side_frame", "motor", "wheelset")
 _ON_AN_AXLE = (

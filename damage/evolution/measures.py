@@ -4,9 +4,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from hh_exudyn.contact.functions import TAPE_DISTANCE, equivalent_conicity
+from hh_exudyn.contact.geometry.functions import TAPE_DISTANCE, equivalent_conicity
 from hh_exudyn.contact.profile import Profile, rail_profile
-from hh_exudyn.contact.profile_measures import (
+from hh_exudyn.contact.profiles.measures import (
     flange_angle,
     flange_height,
     flange_steepness,

@@ -18,7 +18,7 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import ArrayLike
 
-from damage.wheel_surface import Wheel, WheelSurface
+from damage.surface.wheel_surface import Wheel, WheelSurface
 from hh_exudyn.contact.types import FloatArray
 
 TOGETHER = ("wheel", "wheelset", "directions", "both")

@@ -19,7 +19,7 @@ import numpy as np
 import pyarrow
 
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.profile_measures import flange_thickness
+from hh_exudyn.contact.profiles.measures import flange_thickness
 from hh_exudyn.contact.types import FloatArray
 
 _STEP = 0.05e-3  # m, of the lateral positions that are compared, beside the points of both profiles

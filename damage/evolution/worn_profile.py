@@ -2,7 +2,7 @@
 
 What is smoothed is the wear of the step, not the profile: a profile that nothing wears stays what it is to
 the last digit, however many steps are made, and a flange does not lose its radii to smoothing. The rule is
-that of measured profiles (`hh_exudyn.contact.profile_smoothing`), put on the depth over the arc: place by
+that of measured profiles (`hh_exudyn.contact.profiles.smoothing`), put on the depth over the arc: place by
 place waves shorter than up to 10 mm (about a patch) are taken out, as long as the depth stays within a share
 of its largest value. The worn area stays the same, and places 5 mm from any wear keep their points.
 
@@ -16,8 +16,8 @@ from scipy.interpolate import CubicSpline
 
 from damage.evolution.profile_wear import ProfileWear
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.profile_cleaning import arc_length
-from hh_exudyn.contact.profile_smoothing import LONGEST_CUT_OFF, smooth
+from hh_exudyn.contact.profiles.cleaning import arc_length
+from hh_exudyn.contact.profiles.smoothing import LONGEST_CUT_OFF, smooth
 from hh_exudyn.contact.types import FloatArray
 
 SMOOTHING = 0.05

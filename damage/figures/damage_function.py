@@ -3,7 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from damage.whole_life_rail import BURSTOW_RAIL, DamageFunction
+from damage.rcf.whole_life_rail import BURSTOW_RAIL, DamageFunction
 
 _COLOURS = ("black", "#8c2d04", "#2b5c8a", "#4d7c4d")
 

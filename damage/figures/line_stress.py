@@ -1,8 +1,8 @@
 """Stresses below a rolling line contact: figures 3-4 to 3-7 and 3-10 of Hossein-Nia (KTH, 2018).
 
-Frame of `hh_exudyn.contact.subsurface`, lengths over a and stresses over p0: rolling direction to the right,
-so that the leading edge is x/a = +1; the body lies below. Friction drives it in rolling direction, as a
-driven wheel, which is compressed in front and pulled behind.
+Frame of `hh_exudyn.contact.normal.subsurface`, lengths over a and stresses over p0: rolling direction to the
+right, so that the leading edge is x/a = +1; the body lies below. Friction drives it in rolling direction, as
+a driven wheel, which is compressed in front and pulled behind.
 """
 
 import math
@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from damage.shakedown.stress_circle import stress_circle
-from hh_exudyn.contact.subsurface import line_contact_stress
+from hh_exudyn.contact.normal.subsurface import line_contact_stress
 
 _REACH, _DEPTH = 2.0, 2.0  # shown along and below the surface, over a
 _STEP = 0.02  # between contours, over p0

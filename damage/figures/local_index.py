@@ -5,9 +5,9 @@ import math
 import numpy as np
 from matplotlib.figure import Figure
 
-from damage.contact_states import ContactSource, contact_chunks
+from damage.log_input.contact_states import ContactSource, contact_chunks
 from damage.material import ER7, WheelMaterial
-from damage.rcf_local import distributed_index, local_indices
+from damage.rcf.local import distributed_index, local_indices
 from hh_exudyn.contact.types import FloatArray
 
 _COLUMNS = (

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from damage.report import DamageReport
-from damage.wheel_surface import FLANGE, TREAD, Wheel
+from damage.surface.wheel_surface import FLANGE, TREAD, Wheel
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT
 

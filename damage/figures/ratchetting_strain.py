@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.figure import Figure
 
-from damage.ratchetting import Ratchetting, RatchettingSteel
+from damage.rcf.ratchetting import Ratchetting, RatchettingSteel
 from hh_exudyn.contact.types import FloatArray
 
 

@@ -14,7 +14,7 @@ from matplotlib.ticker import EngFormatter
 from numpy.typing import NDArray
 
 from damage.report import DamageReport
-from damage.wheel_surface import FLANGE, TREAD, Wheel, WheelSurface
+from damage.surface.wheel_surface import FLANGE, TREAD, Wheel, WheelSurface
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT
 

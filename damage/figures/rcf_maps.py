@@ -14,7 +14,7 @@ from matplotlib.ticker import EngFormatter
 from numpy.typing import NDArray
 
 from damage.report import DamageReport
-from damage.wheel_surface import Wheel, WheelSurface
+from damage.surface.wheel_surface import Wheel, WheelSurface
 
 _MARGIN = 3  # bins shown beyond those with anything in them
 QUANTITIES = {

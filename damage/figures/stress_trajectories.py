@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle
 
 from damage.shakedown.stress_circle import stress_circle, trajectory
-from hh_exudyn.contact.subsurface import line_contact_stress, stick_half_length
+from hh_exudyn.contact.normal.subsurface import line_contact_stress, stick_half_length
 
 _CENTRES = {  # hardening: name of the centre, colour, line
     "elastic": ("O, elastic", "#4d4d4d", "--"),

@@ -14,7 +14,7 @@ from damage.wear.batch import WearStates, wear_states
 from damage.wear.law import WearLaw
 from damage.wear.values import ARCHARD, MapValues
 from hh_exudyn.contact.material import STEEL, Material
-from hh_exudyn.contact.tangential import traction_field
+from hh_exudyn.contact.tangential.api import traction_field
 from hh_exudyn.contact.types import FloatArray
 
 _ARCHARD = archard()
@@ -42,7 +42,7 @@ def wear_map_figure(
     law
         Archard's law, whose map and slip (elastic or rigid) are used.
     theory, cells, material
-        How the patches are solved, see `hh_exudyn.contact.tangential.traction_field`.
+        How the patches are solved, see `hh_exudyn.contact.tangential.api.traction_field`.
 
     Raises
     ------

@@ -5,9 +5,9 @@ from matplotlib import colormaps
 from matplotlib.colors import LinearSegmentedColormap, LogNorm
 from matplotlib.figure import Figure
 
-from damage.contact_states import ContactSource
+from damage.log_input.contact_states import ContactSource
 from damage.material import ER7, WheelMaterial
-from damage.rcf import FLANGE_ANGLE
+from damage.rcf.surface_index import FLANGE_ANGLE
 from damage.shakedown import point_contact_limit, working_points
 
 # starts dark enough for a cell with one working point to be seen on white

@@ -31,7 +31,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from damage.shakedown.circle import FIXED, FREE, ON_AXIS, smallest_circle
-from hh_exudyn.contact.subsurface import line_contact_stress, stick_half_length
+from hh_exudyn.contact.normal.subsurface import line_contact_stress, stick_half_length
 
 HARDENING = {"elastic": FIXED, "perfect": ON_AXIS, "kinematic": FREE}
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from damage.bad_rows import BadRows
-from damage.contact_source import ContactSource
-from damage.contact_states import DAMAGE_COLUMNS, contact_chunks
+from damage.log_input.bad_rows import BadRows
+from damage.log_input.contact_source import ContactSource
+from damage.log_input.contact_states import DAMAGE_COLUMNS, contact_chunks
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,8 @@ def working_points(
     flange_angle
         Contact angle above which a contact is on the flange [rad].
     skip_bad_rows
-        Leave out rows that no contact can have, the same as `damage.accumulate` does; else they are refused.
+        Leave out rows that no contact can have, the same as `damage.surface.accumulate` does; else they are
+        refused.
     """
     wanted = ("time", "force_x", "force_y", "normal_force", "p_max", "contact_angle")
     columns = DAMAGE_COLUMNS if skip_bad_rows else wanted  # a row may be bad in any of them

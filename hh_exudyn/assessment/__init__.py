@@ -10,5 +10,5 @@ Read in this order:
 
 None of the standards was at hand. How quantities are processed was read in GENSYS's table of UIC 518; most
 limits are unconfirmed and every table says which. The quality of the track that a run went over is not
-judged here: `track.quality` does that, `hh-exudyn track plot CASE` shows it.
+judged here: `track.irregularity.quality` does that, `hh-exudyn track plot CASE` shows it.
 """

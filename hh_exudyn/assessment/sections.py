@@ -4,8 +4,8 @@ import math
 from dataclasses import dataclass, replace
 
 from hh_exudyn.assessment.limits import data
-from track.alignment import Alignment, Curve, Straight, Transition
-from track.sections import Ramp, Section
+from track.course.alignment import Alignment, Curve, Straight, Transition
+from track.course.sections import Ramp, Section
 
 STRAIGHT, TRANSITION = "straight", "transition"
 LENGTHS = (10.0, 1000.0)  # m, of a section that the caller chooses

@@ -20,13 +20,9 @@ some 0.05 mm, from where the deformed surfaces meet: without influence on any mo
 import math
 from typing import NamedTuple
 
-from hh_exudyn.contact.fastrip import force_on_strips
 from hh_exudyn.contact.friction import FrictionTable, friction_at
-from hh_exudyn.contact.hertz import normal_contact
-from hh_exudyn.contact.non_elliptic import CURVATURE_FLOOR, HERTZ, minimum, patch_strips
-from hh_exudyn.contact.profile_spline import spline_evaluate
-from hh_exudyn.contact.rail_tables import surface_slope
-from hh_exudyn.contact.search import (
+from hh_exudyn.contact.geometry.rail_tables import surface_slope
+from hh_exudyn.contact.geometry.search import (
     APPROACH,
     CONTACT_ANGLE,
     POINT,
@@ -37,9 +33,13 @@ from hh_exudyn.contact.search import (
     Y_RAIL,
     Y_WHEEL,
 )
-from hh_exudyn.contact.silhouette import WheelRailPair, silhouette
-from hh_exudyn.contact.tangential import force_kernel
-from hh_exudyn.contact.theories import GIVEN
+from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette
+from hh_exudyn.contact.normal.hertz import normal_contact
+from hh_exudyn.contact.normal.non_elliptic import CURVATURE_FLOOR, HERTZ, minimum, patch_strips
+from hh_exudyn.contact.profiles.spline import spline_evaluate
+from hh_exudyn.contact.tangential.api import force_kernel
+from hh_exudyn.contact.tangential.fastrip import force_on_strips
+from hh_exudyn.contact.tangential.theories import GIVEN
 from hh_exudyn.contact.types import (
     ContactForces,
     FloatArray,

@@ -12,15 +12,15 @@ from typing import Protocol
 import numpy as np
 from scipy.optimize import brentq
 
-from hh_exudyn.contact.fastrip import field_on_strips
-from hh_exudyn.contact.neighbours import find_patches
-from hh_exudyn.contact.non_elliptic import HERTZ, minimum, patch_strips
-from hh_exudyn.contact.profile_spline import spline_evaluate
-from hh_exudyn.contact.rail_tables import rail_at
-from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS, Y_WHEEL
-from hh_exudyn.contact.silhouette import WheelRailPair, silhouette, wheel_rail_pair
-from hh_exudyn.contact.strips import HALF_LENGTH, PRESSURE, STRIP_COLUMNS, WIDTH, Y
-from hh_exudyn.contact.tangential import TractionField
+from hh_exudyn.contact.geometry.rail_tables import rail_at
+from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS, Y_WHEEL
+from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette, wheel_rail_pair
+from hh_exudyn.contact.normal.neighbours import find_patches
+from hh_exudyn.contact.normal.non_elliptic import HERTZ, minimum, patch_strips
+from hh_exudyn.contact.profiles.spline import spline_evaluate
+from hh_exudyn.contact.tangential.api import TractionField
+from hh_exudyn.contact.tangential.fastrip import field_on_strips
+from hh_exudyn.contact.tangential.strips import HALF_LENGTH, PRESSURE, STRIP_COLUMNS, WIDTH, Y
 from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch, WheelRailModel
 from hh_exudyn.conventions import LEFT
 

@@ -10,15 +10,15 @@ import math
 
 import numpy as np
 
-from hh_exudyn.contact.line_profiles import (
+from hh_exudyn.contact.profiles.malmbanan import (
     LINE_RAILS,
     LINE_WHEELS,
     line_rail_coordinates,
     line_wheel_coordinates,
 )
-from hh_exudyn.contact.profile_line import Profile, gauge_point
-from hh_exudyn.contact.profile_reader import read_profile, read_rail_profile, read_wheel_profile
-from hh_exudyn.contact.standard_profiles import RAIL_HEADS, rail_head_coordinates, s1002_coordinates
+from hh_exudyn.contact.profiles.profile import Profile, gauge_point
+from hh_exudyn.contact.profiles.reader import read_profile, read_rail_profile, read_wheel_profile
+from hh_exudyn.contact.profiles.standard import RAIL_HEADS, rail_head_coordinates, s1002_coordinates
 
 __all__ = [
     "MAX_INCLINATION",

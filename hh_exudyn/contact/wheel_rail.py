@@ -17,21 +17,21 @@ import math
 import numpy as np
 
 from hh_exudyn.contact.friction import FrictionTable
+from hh_exudyn.contact.geometry.rail_tables import RailCourse, rail_at, rail_tables
+from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
+from hh_exudyn.contact.geometry.silhouette import wheel_rail_pair
 from hh_exudyn.contact.material import STEEL, Material
-from hh_exudyn.contact.neighbours import find_patches
-from hh_exudyn.contact.non_elliptic import (
+from hh_exudyn.contact.normal.neighbours import find_patches
+from hh_exudyn.contact.normal.non_elliptic import (
     HERTZ,
     NORMAL_THEORIES,
     check_combination,
 )
 from hh_exudyn.contact.patch_forces import add_patch
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.profile_spline import spline_table
-from hh_exudyn.contact.rail_tables import RailCourse, rail_at, rail_tables
-from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
-from hh_exudyn.contact.silhouette import wheel_rail_pair
-from hh_exudyn.contact.strips import STRIP_COLUMNS
-from hh_exudyn.contact.tangential import THEORIES
+from hh_exudyn.contact.profiles.spline import spline_table
+from hh_exudyn.contact.tangential.api import THEORIES
+from hh_exudyn.contact.tangential.strips import STRIP_COLUMNS
 from hh_exudyn.contact.types import (
     ContactForces,
     FloatArray,

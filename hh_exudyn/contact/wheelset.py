@@ -19,9 +19,9 @@ from scipy.optimize import brentq
 
 from hh_exudyn.contact.contact_state import ContactState, contact_state
 from hh_exudyn.contact.friction import constant_friction
+from hh_exudyn.contact.geometry.rail_tables import gauge_point_at
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.rail_tables import gauge_point_at
 from hh_exudyn.contact.types import (
     MAX_PATCHES,
     PATCH_COLUMNS,

@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
+from hh_exudyn.contact.geometry.merit import ConicityReport
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.steering import ConicityReport
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.figures.conicity import draw_conicity, draw_contact_positions, draw_radius_difference
 

@@ -18,7 +18,7 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.patches import Ellipse
 
-from hh_exudyn.contact.tangential import CreepForce, TractionField
+from hh_exudyn.contact.tangential.api import CreepForce, TractionField
 from hh_exudyn.contact.types import FloatArray
 
 _TRACTION_COLOURS, _SLIP_COLOURS = "viridis", "YlOrRd"

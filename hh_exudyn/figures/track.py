@@ -11,11 +11,11 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
-from track.alignment import Alignment
-from track.irregularity import Irregularity
-from track.line import TrackSection
-from track.quality import CLASSES, TrackQuality
-from track.spectra import SIGNALS
+from track.course.alignment import Alignment
+from track.irregularity.irregularity import Irregularity
+from track.irregularity.quality import CLASSES, TrackQuality
+from track.irregularity.spectra import SIGNALS
+from track.line.line import TrackSection
 
 CANT_STEP_MM = 10.0  # of the bars of the cants
 _COLOURS = dict(zip(CLASSES, ("tab:green", "gold", "tab:orange", "tab:red"), strict=True))

@@ -26,9 +26,9 @@ from hh_exudyn.multibody.model import (
     Train,
     first_track,
 )
-from track.alignment import Alignment, inclined_frame
-from track.flexibility import track_flexibility
-from track.irregularity_table import IrregularityTable, smooth_track
+from track.course.alignment import Alignment, inclined_frame
+from track.irregularity.table import IrregularityTable, smooth_track
+from track.support.flexibility import track_flexibility
 from vehicles.couplings import (
     AxleBox,
     AxleBoxPad,

@@ -14,14 +14,14 @@ from hh_exudyn.contact.types import FloatArray, Patch
 from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.log.schema import CONTROL
 from hh_exudyn.multibody.model import Ledger, SystemModel, Workspace
-from track.alignment import inclined_frame
-from track.types import AlignmentTable
-from vehicles.control import Actuators, Controller, Measurement
+from track.course.alignment import inclined_frame
+from track.course.types import AlignmentTable
 from vehicles.couplings import AxleBoxPad
 from vehicles.description import Vehicle
-from vehicles.driver import DrivenUnit, Driver
 from vehicles.start import start_front, start_middle
-from vehicles.steering import Steering
+from vehicles.traction.control import Actuators, Controller, Measurement
+from vehicles.traction.driver import DrivenUnit, Driver
+from vehicles.traction.steering import Steering
 
 Course = Callable[[FloatArray], FloatArray]
 

@@ -13,7 +13,7 @@ from hh_exudyn.case import Case
 from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.multibody.assembly import assemble
-from hh_exudyn.multibody.couplings import coupling_forces
+from hh_exudyn.multibody.couplings.dispatch import coupling_forces
 from hh_exudyn.multibody.model import Ledger, workspace
 from hh_exudyn.multibody.vectors import rotation_matrix
 from vehicles.couplings import AxleBox, CentrePlate, Coupling, SideBearer, SpringNest, Wedge

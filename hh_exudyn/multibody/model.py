@@ -1,9 +1,9 @@
 """What the force kernel of a whole vehicle needs: the model, its work space, and the layout of coordinates.
 
 Coordinates: six per body (position of the centre of mass in the global frame, rotation vector); on flexible
-track seven per wheelset (`track.flexibility`); four per wheelset, two for each wheel, whose VELOCITIES are
-the longitudinal and lateral slip velocity of wheel on rail as the creepage feels them, in the axes of that
-rail's frame R (`contact.types.RailMotion`). Velocities: global
+track seven per wheelset (`track.support.flexibility`); four per wheelset, two for each wheel, whose
+VELOCITIES are the longitudinal and lateral slip velocity of wheel on rail as the creepage feels them, in the
+axes of that rail's frame R (`contact.types.RailMotion`). Velocities: global
 velocity and LOCAL angular velocity, as Exudyn's `NodeRigidBodyRotVecLG` has them; generalized forces are the
 conjugate global force and local torque.
 
@@ -27,9 +27,9 @@ from numpy.typing import NDArray
 from hh_exudyn.contact.friction import FrictionTable
 from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, FloatArray, WheelRailModel
 from hh_exudyn.kernel import inlined_kernel
-from track.alignment import AlignmentTable
-from track.irregularity_table import IrregularityTable
-from track.substructure import TrackParameters
+from track.course.alignment import AlignmentTable
+from track.irregularity.table import IrregularityTable
+from track.support.substructure import TrackParameters
 
 IntArray = NDArray[np.int64]
 

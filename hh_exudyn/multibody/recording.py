@@ -12,7 +12,7 @@ from hh_exudyn.log.schema import CONTACT, ENERGY, MOTION
 from hh_exudyn.multibody.model import BODY_COORDINATES, IntArray, SystemModel, Workspace
 from hh_exudyn.multibody.system import energies
 from hh_exudyn.multibody.vectors import rotate_back, triple
-from track.alignment import inclined_locate
+from track.course.alignment import inclined_locate
 from vehicles.description import Vehicle
 
 _FIRST_COPIED = int(Patch.Y_WHEEL)  # columns of a contact state that the log takes over in one piece,

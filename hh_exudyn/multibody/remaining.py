@@ -15,7 +15,7 @@ from hh_exudyn.multibody.model import (
 )
 from hh_exudyn.multibody.rolling import RollingVehicle
 from hh_exudyn.multibody.system import evaluate_bundle
-from track.substructure import DOFS
+from track.support.substructure import DOFS
 
 _DIRECTIONS = ("along the track", "to the left", "upwards", "in roll", "in pitch", "in yaw")
 _SHARES = 3  # of what acts there that are named, the largest ones

@@ -24,7 +24,7 @@ from hh_exudyn.multibody.model import (
     first_track,
 )
 from hh_exudyn.multibody.system import evaluate_bundle
-from track.alignment import inclined_frame, inclined_rotation
+from track.course.alignment import inclined_frame, inclined_rotation
 from vehicles.description import Vehicle
 from vehicles.start import start_middle
 

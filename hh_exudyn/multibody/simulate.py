@@ -19,9 +19,9 @@ from hh_exudyn.log.store import Run, open_run, write_case, write_status, write_v
 from hh_exudyn.multibody.assembly import assemble, explicit_settings, exudyn_system
 from hh_exudyn.multibody.control import VehicleControl, vehicle_control
 from hh_exudyn.multibody.equilibrium import Equilibrium, equilibrium
+from hh_exudyn.multibody.linear.stability import require_stable_step
 from hh_exudyn.multibody.model import SystemModel, Workspace, workspace
 from hh_exudyn.multibody.recording import LogWriter
-from hh_exudyn.multibody.stability import require_stable_step
 from hh_exudyn.multibody.system import evaluate_bundle
 from hh_exudyn.multibody.watch import REASONS, Trouble, look_bundle, watch_state
 from vehicles.description import Vehicle

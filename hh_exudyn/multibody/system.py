@@ -2,12 +2,12 @@
 
 import math
 
-from hh_exudyn.contact.rail_tables import gauge_point_at
+from hh_exudyn.contact.geometry.rail_tables import gauge_point_at
 from hh_exudyn.contact.types import ContactForces, FloatArray, Patch, RailMotion, WheelsetMotion
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces
 from hh_exudyn.kernel import Bundle, inlined_kernel, kernel
 from hh_exudyn.multibody.brakes import brake_forces
-from hh_exudyn.multibody.couplings import coupling_forces
+from hh_exudyn.multibody.couplings.dispatch import coupling_forces
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
     CREEP_COORDINATES,
@@ -19,11 +19,11 @@ from hh_exudyn.multibody.model import (
     first_track,
 )
 from hh_exudyn.multibody.vectors import add_to, cross, rotate, rotate_back, rotation_matrix, triple
-from track.alignment import inclined_frame, inclined_locate, inclined_rotation
-from track.frame import TrackTurn, track_turn
-from track.irregularity_table import irregularity_at
-from track.rail_frame import RailShift, rail_frame
-from track.substructure import rail_shift, track_forces
+from track.course.alignment import inclined_frame, inclined_locate, inclined_rotation
+from track.course.frame import TrackTurn, track_turn
+from track.course.rail_frame import RailShift, rail_frame
+from track.irregularity.table import irregularity_at
+from track.support.substructure import rail_shift, track_forces
 
 _FORCE = int(Ledger.COUPLER_FORCE)
 _COUPLER = int(Ledger.COUPLER_POWER)

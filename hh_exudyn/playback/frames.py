@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from track.alignment import Alignment, inclined_frame, inclined_rotation
+from track.course.alignment import Alignment, inclined_frame, inclined_rotation
 
 FloatArray = NDArray[np.float64]
 

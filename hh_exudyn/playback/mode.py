@@ -19,8 +19,8 @@ from hh_exudyn.playback.frames import Poses
 from hh_exudyn.playback.layout import vehicle_view
 from hh_exudyn.playback.run import APPLICATION, Scene, leading_body, scene
 from hh_exudyn.playback.send import clock, send_mesh, send_poses, send_track_piece
-from hh_exudyn.playback.track_shapes import pieces
-from track.alignment import Alignment, Straight
+from hh_exudyn.playback.shapes.track import pieces
+from track.course.alignment import Alignment, Straight
 from vehicles.description import Vehicle
 from vehicles.outline import vehicle_box
 

@@ -18,7 +18,7 @@ import trimesh
 
 from damage.material import ER7
 from hh_exudyn.case import Case
-from hh_exudyn.contact.rail_tables import RailCourse
+from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.log.store import Run
 from hh_exudyn.playback.frames import FloatArray, Poses, moving_frame, relative
@@ -34,10 +34,10 @@ from hh_exudyn.playback.send import (
     send_series,
     send_track_piece,
 )
-from hh_exudyn.playback.shapes import vehicle_shapes
-from hh_exudyn.playback.track_shapes import pieces
+from hh_exudyn.playback.shapes.track import pieces
+from hh_exudyn.playback.shapes.vehicle import vehicle_shapes
 from hh_exudyn.playback.wheels import wheel_rows
-from track.alignment import Alignment
+from track.course.alignment import Alignment
 from vehicles.description import Vehicle
 from vehicles.stored import from_json
 

@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from damage.shakedown import point_contact_limit
-from hh_exudyn.contact.rail_tables import RailCourse
+from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.playback.frames import FloatArray, Poses, relative
 from hh_exudyn.playback.layout import FRICTION_SCALE, LARGEST_FRICTION, LARGEST_PRESSURE
-from hh_exudyn.playback.meshes import shaded
-from hh_exudyn.playback.track_shapes import Piece, sleeper
+from hh_exudyn.playback.shapes.meshes import shaded
+from hh_exudyn.playback.shapes.track import Piece, sleeper
 from hh_exudyn.playback.wheels import WheelRows, contact_frames, diagram_points, series
-from track.alignment import Alignment
+from track.course.alignment import Alignment
 
 Clock = Sequence[rr.TimeColumn]
 

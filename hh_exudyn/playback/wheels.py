@@ -8,12 +8,12 @@ import pyarrow
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from damage.rcf import surface_fatigue_index
+from damage.rcf.surface_index import surface_fatigue_index
 from damage.shakedown import working_point
-from hh_exudyn.contact.rail_tables import RailCourse
+from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.playback.frames import FloatArray, Poses, track_frames
-from track.alignment import Alignment
+from track.course.alignment import Alignment
 
 QUANTITIES: Mapping[str, str] = {
     "Q_kN": "Q vertical wheel force [kN]",

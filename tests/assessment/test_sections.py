@@ -6,8 +6,8 @@ from itertools import pairwise
 import pytest
 
 from hh_exudyn.assessment.sections import cut_sections
-from track.alignment import Alignment, Curve, Straight, Transition
-from track.sections import Ramp
+from track.course.alignment import Alignment, Curve, Straight, Transition
+from track.course.sections import Ramp
 
 WHOLE = Alignment.from_sections(
     [

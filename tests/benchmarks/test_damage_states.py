@@ -10,11 +10,11 @@ import numpy as np
 import pyarrow
 import pytest
 
-from damage.accumulate import accumulate, usable_processors
-from damage.burstow import Burstow
 from damage.material import ER7
 from damage.model import DamageModel
-from hh_exudyn.contact.theories import FASTRIP, field_kernel
+from damage.rcf.burstow import Burstow
+from damage.surface.accumulate import accumulate, usable_processors
+from hh_exudyn.contact.tangential.theories import FASTRIP, field_kernel
 from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 from hh_exudyn.log.schema import CONTACT

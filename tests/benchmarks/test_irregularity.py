@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 
 from hh_exudyn.kernel import kernel
-from track.irregularity import random_irregularity
-from track.irregularity_table import IrregularityTable, irregularity_at
+from track.irregularity.irregularity import random_irregularity
+from track.irregularity.table import IrregularityTable, irregularity_at
 
 CALLS = 10_000
 

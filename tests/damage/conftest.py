@@ -7,8 +7,8 @@ import numpy as np
 import pyarrow
 import pytest
 
-from hh_exudyn.contact.hertz import hertz_patch
-from hh_exudyn.contact.tangential import creep_force
+from hh_exudyn.contact.normal.hertz import hertz_patch
+from hh_exudyn.contact.tangential.api import creep_force
 from hh_exudyn.log.schema import LOGS
 
 

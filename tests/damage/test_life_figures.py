@@ -9,8 +9,8 @@ import pytest
 from damage.figures.damage_function import damage_function_figure
 from damage.figures.local_index import local_index_figure
 from damage.figures.ratchetting_strain import ratchetting_figure
-from damage.ratchetting import RatchettingSteel, ratchet
-from damage.whole_life_rail import BURSTOW_RAIL, rescaled
+from damage.rcf.ratchetting import RatchettingSteel, ratchet
+from damage.rcf.whole_life_rail import BURSTOW_RAIL, rescaled
 
 
 def test_damage_function_has_its_peak(tmp_path: Path) -> None:

@@ -8,16 +8,16 @@ import numpy as np
 import pyarrow
 import pytest
 
-from damage.accumulate import accumulate
-from damage.burstow import Burstow
-from damage.contact_states import contact_chunks, output_clock
 from damage.figures.profile_panels import FLANGE_ROOT, fatigue_figure, wear_figure
 from damage.figures.working_points import shakedown_figure
-from damage.lateral_grid import LateralGrid
+from damage.log_input.contact_states import contact_chunks, output_clock
 from damage.material import ER7
 from damage.model import DamageModel
+from damage.rcf.burstow import Burstow
 from damage.report import DamageReport, assess
-from damage.wheel_surface import Wheel, WheelSurface
+from damage.surface.accumulate import accumulate
+from damage.surface.lateral_grid import LateralGrid
+from damage.surface.wheel_surface import Wheel, WheelSurface
 from hh_exudyn.contact.profile import wheel_profile
 from hh_exudyn.log.store import Recorder, open_run
 

@@ -7,14 +7,14 @@ import numpy as np
 import pyarrow
 import pytest
 
-from damage import accumulate as module
-from damage.accumulate import accumulate, usable_processors
-from damage.burstow import Burstow
-from damage.contact_sums import Sums
 from damage.material import ER7
 from damage.model import DamageModel
+from damage.rcf.burstow import Burstow
 from damage.report import assess
-from damage.wheel_surface import WheelSurface
+from damage.surface import accumulate as module
+from damage.surface.accumulate import accumulate, usable_processors
+from damage.surface.contact_sums import Sums
+from damage.surface.wheel_surface import WheelSurface
 
 
 def surface(log: pyarrow.Table, threads: int | None, chunk_rows: int = 100) -> WheelSurface:

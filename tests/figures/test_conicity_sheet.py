@@ -5,8 +5,8 @@ from io import BytesIO
 import numpy as np
 import pytest
 
+from hh_exudyn.contact.geometry.merit import conicity_report
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
-from hh_exudyn.contact.steering import conicity_report
 from hh_exudyn.figures.conicity_sheet import conicity_sheet
 
 WHEEL, RAIL = wheel_profile("S1002"), rail_profile("60E1", 1 / 40)

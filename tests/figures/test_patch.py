@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 from matplotlib.figure import Figure
 
-from hh_exudyn.contact.tangential import CreepForce, TractionField, creep_force, traction_field
+from hh_exudyn.contact.tangential.api import CreepForce, TractionField, creep_force, traction_field
 from hh_exudyn.figures.patch import PatchLoad, patch_figure
 
 LOAD = PatchLoad(a=6e-3, b=4e-3, normal_force=1e5, nu_x=1e-3, nu_y=0.0, phi=0.1, friction=0.3)

@@ -5,15 +5,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from damage.bad_rows import BadRows
-from damage.burstow import Burstow
 from damage.figures.rcf_bins import BAR, rcf_bins_figure, rcf_cases_figure
 from damage.figures.rcf_maps import energy_map_figure, rcf_map_figure
-from damage.lateral_grid import LateralGrid
+from damage.log_input.bad_rows import BadRows
 from damage.material import ER7
 from damage.model import DamageModel
+from damage.rcf.burstow import Burstow
 from damage.report import DamageReport
-from damage.wheel_surface import FLANGE, TREAD, Wheel, WheelSurface
+from damage.surface.lateral_grid import LateralGrid
+from damage.surface.wheel_surface import FLANGE, TREAD, Wheel, WheelSurface
 from hh_exudyn.contact.profile import wheel_profile
 
 WHEEL = Wheel(1, 1, 1, 1)

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from hh_exudyn.figures.track import line_sheet, track_sheet
-from track.alignment import Alignment, Curve, Grade, Straight, Transition
-from track.irregularity import random_irregularity
-from track.line import load_sections, read_line
-from track.quality import quality_limits, track_quality
+from track.course.alignment import Alignment, Curve, Grade, Straight, Transition
+from track.irregularity.irregularity import random_irregularity
+from track.irregularity.quality import quality_limits, track_quality
+from track.line.line import load_sections, read_line
 
 TRACK = Alignment((Straight(100.0), Transition(50.0), Curve(350.0, 450.0, "right", 0.065, 1.445)))
 

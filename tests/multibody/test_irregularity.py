@@ -5,8 +5,8 @@ import pytest
 from run_tables import table
 
 from hh_exudyn.case import Case
-from hh_exudyn.case_errors import CaseError
-from hh_exudyn.contact.rail_tables import gauge_point_at
+from hh_exudyn.case.errors import CaseError
+from hh_exudyn.contact.geometry.rail_tables import gauge_point_at
 from hh_exudyn.conventions import GRAVITY, RAIL_TOP_DISTANCE
 from hh_exudyn.kernel import Bundle
 from hh_exudyn.multibody.assembly import assemble

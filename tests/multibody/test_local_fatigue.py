@@ -7,7 +7,7 @@ from run_tables import steady, table
 
 from damage.figures.local_index import local_index_figure
 from damage.material import ER7
-from damage.rcf_local import distributed_index, local_indices
+from damage.rcf.local import distributed_index, local_indices
 from hh_exudyn.log.store import Run
 
 STATE = ("a", "b", "normal_force", "nu_x", "nu_y", "phi", "friction")

@@ -11,10 +11,10 @@ from hh_exudyn.multibody.control import vehicle_control
 from hh_exudyn.multibody.equilibrium import equilibrium
 from hh_exudyn.multibody.model import Ledger, workspace
 from hh_exudyn.multibody.simulate import simulate
-from track.alignment import inclined_frame
+from track.course.alignment import inclined_frame
 from vehicles.catalogue import vehicle
 from vehicles.start import start_middle
-from vehicles.train import locomotive_resistance
+from vehicles.traction.train import locomotive_resistance
 
 LOCOMOTIVE = vehicle("iore_locomotive")
 GAUGE = {"gauge_mm": 1440.0}

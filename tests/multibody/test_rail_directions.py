@@ -15,7 +15,7 @@ from scipy.optimize import least_squares
 from hh_exudyn.contact.profile import gauge_point, rail_profile
 from hh_exudyn.conventions import RAIL_TOP_DISTANCE
 from hh_exudyn.multibody.simulate import simulate
-from track.alignment import track_frame
+from track.course.alignment import track_frame
 from vehicles.catalogue import vehicle
 from vehicles.start import start_front
 

@@ -13,8 +13,8 @@ from hh_exudyn.log.schema import LOGS
 from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.model import BODY_COORDINATES, TRACK_COORDINATES, Ledger, coordinates, workspace
 from hh_exudyn.multibody.recording import LogWriter
-from track.alignment import track_frame
-from track.flexibility import track_flexibility
+from track.course.alignment import track_frame
+from track.support.flexibility import track_flexibility
 from vehicles.catalogue import vehicle
 
 WAGON = vehicle("iore_wagon_loaded")

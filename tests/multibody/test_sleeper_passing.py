@@ -7,7 +7,7 @@ from energy_ledger import missing_energy
 from hh_exudyn.case import Case
 from hh_exudyn.log.wheel_forces import wheel_forces
 from hh_exudyn.multibody.simulate import simulate
-from track.sleepers import sleeper_track
+from track.support.sleepers import sleeper_track
 from vehicles.catalogue import vehicle
 
 SEGMENT = 4.0  # s, so lines 0.25 Hz apart

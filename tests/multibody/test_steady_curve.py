@@ -10,8 +10,8 @@ from run_tables import steady, table, wheel_means
 from hh_exudyn.contact.profile import gauge_point, rail_profile
 from hh_exudyn.conventions import GRAVITY, RAIL_TOP_DISTANCE
 from hh_exudyn.multibody.simulate import simulate
-from track.alignment import inclined_frame, inclined_rotation
-from track.flexibility import track_flexibility
+from track.course.alignment import inclined_frame, inclined_rotation
+from track.support.flexibility import track_flexibility
 from vehicles.catalogue import vehicle
 from vehicles.couplings import AxleBox
 

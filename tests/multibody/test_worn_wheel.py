@@ -10,7 +10,7 @@ from damage.evolution.profile_wear import ProfileWear
 from damage.evolution.worn_profile import worn_profile
 from hh_exudyn.case import Case, StraightCase, TrackCase
 from hh_exudyn.contact.profile import read_wheel_profile
-from hh_exudyn.contact.profile_writer import write_profile
+from hh_exudyn.contact.profiles.writer import write_profile
 from hh_exudyn.multibody.simulate import simulate
 
 

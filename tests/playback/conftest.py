@@ -9,14 +9,14 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from hh_exudyn.case import Case
+from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
-from hh_exudyn.contact.rail_tables import RailCourse
 from hh_exudyn.log.schema import CONTACT, MOTION
-from hh_exudyn.playback.dimensions import WagonDimensions
 from hh_exudyn.playback.frames import track_frames
 from hh_exudyn.playback.run import Scene
-from hh_exudyn.playback.shapes import vehicle_shapes
-from track.alignment import Alignment, Curve, Straight, Transition
+from hh_exudyn.playback.shapes.dimensions import WagonDimensions
+from hh_exudyn.playback.shapes.vehicle import vehicle_shapes
+from track.course.alignment import Alignment, Curve, Straight, Transition
 from vehicles.catalogue import vehicle
 
 SPEED = 16.0  # m/s

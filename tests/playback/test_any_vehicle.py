@@ -7,13 +7,13 @@ import pyarrow
 import pytest
 import trimesh
 
+from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
-from hh_exudyn.contact.rail_tables import RailCourse
 from hh_exudyn.log.schema import CONTACT, MOTION
 from hh_exudyn.playback.layout import vehicle_view
 from hh_exudyn.playback.run import Scene, leading_body, record_tables
-from hh_exudyn.playback.shapes import vehicle_shapes
-from track.alignment import Alignment, Straight
+from hh_exudyn.playback.shapes.vehicle import vehicle_shapes
+from track.course.alignment import Alignment, Straight
 from vehicles.catalogue import VEHICLES, vehicle
 from vehicles.description import Body, Coupler, Vehicle, Wheelset
 

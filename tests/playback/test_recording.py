@@ -11,7 +11,7 @@ import pytest
 from rerun.chunk import RrdReader
 from scipy.spatial.transform import Rotation
 
-from damage.rcf import surface_fatigue_index
+from damage.rcf.surface_index import surface_fatigue_index
 from hh_exudyn.case import Case
 from hh_exudyn.log.store import open_run, write_case
 from hh_exudyn.playback.frames import track_frames

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 import trimesh
 
+from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.contact.profile import Profile, gauge_point, rail_profile, wheel_profile
-from hh_exudyn.contact.rail_tables import RailCourse
-from hh_exudyn.playback.dimensions import WagonDimensions, wagon_dimensions
 from hh_exudyn.playback.frames import moving_frame
-from hh_exudyn.playback.meshes import box, shaded, turned
-from hh_exudyn.playback.shapes import vehicle_shapes
-from hh_exudyn.playback.track_shapes import pieces, rail_section, sleeper
-from track.alignment import Alignment, Curve, Grade, Straight, Transition
+from hh_exudyn.playback.shapes.dimensions import WagonDimensions, wagon_dimensions
+from hh_exudyn.playback.shapes.meshes import box, shaded, turned
+from hh_exudyn.playback.shapes.track import pieces, rail_section, sleeper
+from hh_exudyn.playback.shapes.vehicle import vehicle_shapes
+from track.course.alignment import Alignment, Curve, Grade, Straight, Transition
 from vehicles.catalogue import vehicle
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from hh_exudyn.multibody.assembly import assemble
-from hh_exudyn.multibody.couplings import coupling_forces
+from hh_exudyn.multibody.couplings.dispatch import coupling_forces
 from hh_exudyn.multibody.model import SLIDERS, workspace
 from vehicles.catalogue import vehicle
 

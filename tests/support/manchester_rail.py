@@ -9,7 +9,7 @@ benchmark's file MBench_UIC60_v3.prr: all its points lie within 0.03 um of these
 import math
 
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.standard_profiles import RailHead, head_coordinates
+from hh_exudyn.contact.profiles.standard import RailHead, head_coordinates
 
 CROWN, SHOULDER, CORNER = 300.0, 80.0, 13.0  # radii [mm]
 CROWN_END, FLANK_START = 10.5, 36.0  # lateral positions [mm]

@@ -1,7 +1,7 @@
 """Reference: two Timoshenko rails on sleepers one by one, by finite elements, for the track's receptance.
 
-Independent of `track.sleepers`, which solves an endless track by its waves: here 61 sleepers, rails in
-elements of a twentieth of the spacing (shear-flexible beam, Przemieniecki 1968, section 5.6; masses at the
+Independent of `track.support.sleepers`, which solves an endless track by its waves: here 61 sleepers, rails
+in elements of a twentieth of the spacing (shear-flexible beam, Przemieniecki 1968, section 5.6; masses at the
 nodes), every sleeper a rigid body with its own motion, every ballast mass too. Sparse matrices by scipy.
 """
 
@@ -9,7 +9,7 @@ import numpy as np
 from scipy.sparse import coo_array, csc_array
 from scipy.sparse.linalg import splu
 
-from track.sleepers import SleeperTrack
+from track.support.sleepers import SleeperTrack
 
 SLEEPERS = 61
 PER_SPAN = 20

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from hh_exudyn.contact.profile import Profile, wheel_profile
-from hh_exudyn.contact.profile_cleaning import arc_length
+from hh_exudyn.contact.profiles.cleaning import arc_length
 from hh_exudyn.contact.types import FloatArray
 
 SPACING = 0.25e-3  # m, of MiniProf points

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hh_exudyn.contact.rail_tables import gauge_point_at
+from hh_exudyn.contact.geometry.rail_tables import gauge_point_at
 from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, ContactForces, RailMotion, WheelRailModel
 
 

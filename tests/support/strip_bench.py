@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from hh_exudyn.contact.hertz import HertzPatch, hertz_patch
+from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS
+from hh_exudyn.contact.geometry.silhouette import WheelRailPair, wheel_rail_pair
 from hh_exudyn.contact.material import STEEL
-from hh_exudyn.contact.neighbours import find_patches
-from hh_exudyn.contact.non_elliptic import minimum, patch_strips
-from hh_exudyn.contact.profile_spline import uniform_table
-from hh_exudyn.contact.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS
-from hh_exudyn.contact.silhouette import WheelRailPair, wheel_rail_pair
-from hh_exudyn.contact.strips import STRIP_COLUMNS
+from hh_exudyn.contact.normal.hertz import HertzPatch, hertz_patch
+from hh_exudyn.contact.normal.neighbours import find_patches
+from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
+from hh_exudyn.contact.profiles.spline import uniform_table
+from hh_exudyn.contact.tangential.strips import STRIP_COLUMNS
 from hh_exudyn.contact.types import FloatArray, SplineTable
 
 RADIUS = 0.46  # m

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hh_exudyn.contact.friction import friction_at
-from hh_exudyn.contact.polach import polach_force
+from hh_exudyn.contact.tangential.polach import polach_force
 from track.friction import (
     Falling,
     Friction,

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from vehicles.control import Actuators, Measurement
-from vehicles.steering import Steering
+from vehicles.traction.control import Actuators, Measurement
+from vehicles.traction.steering import Steering
 
 OFFSETS = np.array([1.92, 0.0, -1.92, 1.92, 0.0, -1.92])
 BOGIES = np.array([1, 1, 1, 2, 2, 2])

@@ -1,0 +1,334 @@
+"""Ratchetting: plastic shear that grows with every passage, layer by layer below the surface.
+
+A. Kapoor and F.J. Franklin, Tribological layers and the wear of ductile materials, Wear 245 (2000);
+Hossein-Nia (2018), equations 3.25 and 3.26. A layer whose largest orthogonal shear stress exceeds its
+strength creeps on with every cycle,
+
+    dgamma/dN = C (tau_zx,max(z)/k_eff - 1)  where positive
+    k_eff = k0 max(1, beta sqrt(1 - exp(-alpha gamma)))
+
+and fails at the critical strain. Layers do not act on one another. Millions of cycles are stepped in blocks:
+the strain per cycle is taken as a rate and integrated by the pair of Bogacki and Shampine (third order, its
+error estimated by the second) for all layers at once, each block as long as the tolerance allows; no
+tolerance makes it shorter than a cycle.
+
+Wear carries layers to the surface: the layer at depth z lies at z - wear N after N cycles, feels the stress
+of that depth, and is gone when it arrives.
+
+Every number but C comes without a confirmed source; see `RatchettingSteel`.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+import pyarrow
+from numpy.typing import ArrayLike, NDArray
+
+from hh_exudyn.contact.normal.subsurface import line_contact_stress
+from hh_exudyn.contact.types import FloatArray
+
+_PLACES = 401  # along x, in each of the two passes that seek the largest shear stress
+_BISECTIONS = 60
+_SAFETY, _SHRINK, _GROW = 0.9, 0.2, 5.0  # of the block length, as usual for such pairs
+
+
+@dataclass(frozen=True)
+class RatchettingSteel:
+    """Strength, hardening and ductility of a steel.
+
+    Attributes
+    ----------
+    shear_yield
+        Initial strength in shear k0 [Pa].
+    rate
+        C of equation 3.25 [-]: 0.00237, measured on BS11 rail steel (published); of wheel steels not known.
+    hardening_rate
+        alpha of equation 3.26 [-]; assumed.
+    hardening_limit
+        beta of equation 3.26 [-], >= 1: k_eff saturates at beta k0; assumed. 1 is no hardening.
+    critical_strain
+        gamma_c at which a layer fails [-]; 11.5 for BS11 [M: Tyfour, Beynon and Kapoor 1996, unconfirmed].
+
+    Raises
+    ------
+    ValueError
+        A value out of its range.
+    """
+
+    shear_yield: float
+    rate: float = 0.00237
+    hardening_rate: float = 0.5
+    hardening_limit: float = 2.0
+    critical_strain: float = 11.5
+
+    def __post_init__(self) -> None:
+        for name in ("shear_yield", "rate", "hardening_rate", "hardening_limit", "critical_strain"):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and value > 0.0):
+                raise ValueError(f"{name} = {value} of the ratchetting steel must be finite and > 0")
+        if self.hardening_limit < 1.0:
+            raise ValueError(f"hardening_limit = {self.hardening_limit} must be >= 1")
+
+    def strength(self, strain: ArrayLike) -> FloatArray:
+        """k_eff after a plastic shear strain [Pa] (3.26)."""
+        hardened = self.hardening_limit * np.sqrt(-np.expm1(-self.hardening_rate * np.asarray(strain)))
+        strength: FloatArray = self.shear_yield * np.maximum(1.0, hardened)
+        return strength
+
+    def strain_per_cycle(self, stress: ArrayLike, strain: ArrayLike) -> FloatArray:
+        """dgamma/dN [-] under a largest orthogonal shear stress [Pa] at a strain reached (3.25)."""
+        step: FloatArray = self.rate * np.maximum(np.asarray(stress) / self.strength(strain) - 1.0, 0.0)
+        return step
+
+    def final_strain(self, stress: ArrayLike) -> FloatArray:
+        """Strain at which hardening stops a constant stress [-]; infinite where it is beta k0 or more."""
+        ratio = np.asarray(stress, dtype=np.float64) / (self.hardening_limit * self.shear_yield)
+        with np.errstate(divide="ignore"):
+            strain = -np.log1p(-(np.minimum(ratio, 1.0) ** 2)) / self.hardening_rate
+        return np.where(np.asarray(stress) > self.shear_yield, strain, 0.0)
+
+
+@dataclass(frozen=True)
+class Ratchetting:
+    """Strain of L layers after cycles.
+
+    Attributes
+    ----------
+    depth
+        (L,) depth of the layers below the new surface [m].
+    cycles
+        (S,) numbers of cycles at which the strain was noted, ascending; the last is the end.
+    strain
+        (S, L) plastic shear strain [-]; that of a failed or worn-off layer stays as it was then.
+    cycles_to_failure
+        (L,) cycles at which the layers reached the critical strain; infinite where they did not.
+    cycles_to_wear_off
+        (L,) cycles at which wear took the layers; infinite where it did not.
+    blocks
+        Blocks of cycles that were stepped.
+    """
+
+    depth: FloatArray
+    cycles: FloatArray
+    strain: FloatArray
+    cycles_to_failure: FloatArray
+    cycles_to_wear_off: FloatArray
+    blocks: int
+
+    @property
+    def failed(self) -> NDArray[np.bool_]:
+        """(L,) whether the layers failed before they were worn off."""
+        return np.isfinite(self.cycles_to_failure)
+
+    def to_table(self) -> pyarrow.Table:
+        """One row per layer: depth_m, strain (at the end), cycles_to_failure, cycles_to_wear_off."""
+        return pyarrow.table(
+            {
+                "depth_m": self.depth,
+                "strain": self.strain[-1],
+                "cycles_to_failure": self.cycles_to_failure,
+                "cycles_to_wear_off": self.cycles_to_wear_off,
+            }
+        )
+
+
+def largest_orthogonal_shear(
+    depth: ArrayLike,
+    half_length: float,
+    max_pressure: float,
+    friction: float,
+    traction_ratio: float | None = None,
+) -> FloatArray:
+    """Largest |tau_zx| that passes over a point at each depth below a line contact [Pa], (L,).
+
+    The line contact stands for the middle of a patch; under an ellipse stresses fade faster with depth.
+
+    Parameters
+    ----------
+    depth
+        (L,) [m], >= 0.
+    half_length, max_pressure, friction, traction_ratio
+        As in `line_contact_stress`: a [m], p0 [Pa], mu and Q/P [-] (None: full slip).
+
+    Raises
+    ------
+    ValueError
+        As `line_contact_stress`.
+    """
+    z = np.atleast_1d(np.asarray(depth, dtype=np.float64))[:, None]
+
+    def shear(x: FloatArray) -> FloatArray:
+        stress = line_contact_stress(x, z, half_length, max_pressure, friction, traction_ratio=traction_ratio)
+        return np.abs(stress.tau_xz)
+
+    reach = half_length + 2.0 * z
+    x = np.linspace(-1.0, 1.0, _PLACES) * reach
+    first = shear(x)
+    middle = np.take_along_axis(x, np.argmax(first, axis=1)[:, None], axis=1)
+    around = middle + np.linspace(-1.0, 1.0, _PLACES) * 2.0 * reach / (_PLACES - 1)
+    largest: FloatArray = np.maximum(first.max(axis=1), shear(around).max(axis=1))
+    return largest
+
+
+def ratchet(
+    steel: RatchettingSteel,
+    depth: ArrayLike,
+    stress: ArrayLike,
+    cycles: float,
+    *,
+    shares: ArrayLike | None = None,
+    wear_per_cycle: float = 0.0,
+    noted: ArrayLike = (),
+    tolerance: float = 1e-6,
+) -> Ratchetting:
+    """Strain and failure of the layers below a surface that is passed over many times.
+
+    Parameters
+    ----------
+    steel
+        Strength, hardening, ductility.
+    depth
+        (L,) depths of the layers [m], >= 0, ascending.
+    stress
+        (L,) largest orthogonal shear stress at these depths [Pa], or (cases, L) for several load cases.
+        Between the depths it is taken as linear (where there is wear), and above the first as constant.
+    cycles
+        Number of cycles, >= 0.
+    shares
+        (cases,) share of the cycles that each load case has, adding up to 1; needed with several cases.
+    wear_per_cycle
+        Depth that wear takes in a cycle [m], >= 0.
+    noted
+        Numbers of cycles within 0..cycles at which the strain is kept, besides the end.
+    tolerance
+        Error of the strain allowed in a block, over the critical strain [-].
+
+    Raises
+    ------
+    ValueError
+        Values out of these ranges.
+    """
+    z, cases, weights = _checked(depth, stress, cycles, shares, wear_per_cycle, tolerance)
+    stops = np.unique(np.append(np.asarray(noted, np.float64), float(cycles)))
+    if not (stops[0] >= 0.0 and stops[-1] == cycles):  # also catches NaN
+        raise ValueError(f"noted cycles must lie within 0..{cycles:g}")
+
+    def rate(strain: FloatArray, now: float) -> FloatArray:
+        place = np.maximum(z - wear_per_cycle * now, 0.0)
+        total: FloatArray = np.zeros(z.size)
+        for weight, case in zip(weights, cases, strict=True):
+            felt = case if wear_per_cycle == 0.0 else np.interp(place, z, case)
+            total += weight * steel.strain_per_cycle(felt, strain)
+        return np.where(alive, total, 0.0)
+
+    worn_at = z / wear_per_cycle if wear_per_cycle > 0.0 else np.full(z.size, np.inf)
+    failed_at = np.full(z.size, np.inf)
+    alive = worn_at > 0.0
+    # a block must not carry a layer past the places where the stress is given
+    longest = float(np.diff(z).min()) / wear_per_cycle if wear_per_cycle > 0.0 and z.size > 1 else math.inf
+    strain, now, blocks = np.zeros(z.size), 0.0, 0
+    fastest = float(rate(strain, now).max())
+    length = 0.01 * steel.critical_strain / fastest if fastest > 0.0 else math.inf
+    kept = []
+    for stop in stops.tolist():
+        while now < stop:
+            left = worn_at - now  # a block ends where a layer leaves
+            block = min(length, longest, stop - now, float(left[alive].min(initial=math.inf)))
+            step = _pair_step(rate, strain, now, block)
+            error = step.error / (tolerance * steel.critical_strain)
+            factor = _SAFETY * error ** (-1.0 / 3.0) if error > 0.0 else _GROW
+            if error > 1.0 and block > 1.0:  # a cycle is not divided: the law is one of whole cycles
+                length = max(block * max(factor, _SHRINK), 1.0)
+                continue
+            if block == length or error > 1.0:  # a block cut short by a stop says nothing about the length
+                length = max(block * min(max(factor, _SHRINK), _GROW), 1.0)
+            failed = alive & (step.strain >= steel.critical_strain)
+            if failed.any():
+                share = _share_at(step, strain, block, steel.critical_strain)
+                failed_at[failed] = now + share[failed] * block
+            strain = np.where(failed, steel.critical_strain, step.strain)
+            alive &= ~(failed | (left <= block))
+            now = stop if block == stop - now else now + block
+            blocks += 1
+        kept.append(strain)
+    worn_off = np.where(worn_at <= cycles, worn_at, np.inf)
+    return Ratchetting(z, stops, np.array(kept), failed_at, worn_off, blocks)
+
+
+class _Step(NamedTuple):
+    """A block of cycles: strain at its end, rates at both ends, and the error of the worst layer."""
+
+    strain: FloatArray
+    rate: FloatArray
+    rate_end: FloatArray
+    error: float
+
+
+def _pair_step(
+    rate: Callable[[FloatArray, float], FloatArray], strain: FloatArray, now: float, block: float
+) -> _Step:
+    """One block by the pair of Bogacki and Shampine, Applied Mathematics Letters 2 (1989)."""
+    first = rate(strain, now)
+    second = rate(strain + 0.5 * block * first, now + 0.5 * block)
+    third = rate(strain + 0.75 * block * second, now + 0.75 * block)
+    end = strain + block * (2.0 / 9.0 * first + 1.0 / 3.0 * second + 4.0 / 9.0 * third)
+    fourth = rate(end, now + block)
+    error = block * np.abs(-5.0 / 72.0 * first + 1.0 / 12.0 * second + 1.0 / 9.0 * third - 0.125 * fourth)
+    return _Step(end, first, fourth, float(error.max()))
+
+
+def _inside(step: _Step, start: FloatArray, block: float, share: FloatArray) -> FloatArray:
+    """Strain within a block, at a share of it (0..1): the cubic through values and rates at both ends."""
+    rest = 1.0 - share
+    strain: FloatArray = rest * rest * (
+        (1.0 + 2.0 * share) * start + share * block * step.rate
+    ) + share * share * ((1.0 + 2.0 * rest) * step.strain - rest * block * step.rate_end)
+    return strain
+
+
+def _share_at(step: _Step, start: FloatArray, block: float, strain: float) -> FloatArray:
+    """Share of the block after which the layers reach a strain; of use for those that reach it."""
+    low, high = np.zeros(start.size), np.ones(start.size)
+    for _ in range(_BISECTIONS):
+        middle = 0.5 * (low + high)
+        below = _inside(step, start, block, middle) < strain
+        low, high = np.where(below, middle, low), np.where(below, high, middle)
+    return high
+
+
+def _checked(
+    depth: ArrayLike,
+    stress: ArrayLike,
+    cycles: float,
+    shares: ArrayLike | None,
+    wear_per_cycle: float,
+    tolerance: float,
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Depths (L,), stresses (cases, L) and shares (cases,); ValueError for anything out of range."""
+    z = np.atleast_1d(np.asarray(depth, dtype=np.float64))
+    cases = np.atleast_2d(np.asarray(stress, dtype=np.float64))
+    if z.ndim != 1 or not (np.all(np.isfinite(z)) and np.all(z >= 0.0) and np.all(np.diff(z) > 0.0)):
+        raise ValueError("depth must be finite, >= 0 m and ascending")
+    if (
+        cases.ndim != 2
+        or cases.shape[1] != z.size
+        or not (np.all(np.isfinite(cases)) and np.all(cases >= 0.0))
+    ):
+        raise ValueError(
+            f"stress of shape {np.shape(stress)} for {z.size} layers; needed is a finite stress >= 0 Pa "
+            "for every layer, or for every load case and layer"
+        )
+    if shares is None and cases.shape[0] > 1:
+        raise ValueError(f"{cases.shape[0]} load cases need their shares of the cycles")
+    weights = np.ones(1) if shares is None else np.asarray(shares, dtype=np.float64)
+    if weights.shape != (cases.shape[0],) or not (np.all(weights >= 0.0) and abs(weights.sum() - 1.0) < 1e-9):
+        raise ValueError(f"shares = {weights} must be >= 0, one for each load case, and add up to 1")
+    for name, value, unit in (("cycles", cycles, "-"), ("wear_per_cycle", wear_per_cycle, "m")):
+        if not (math.isfinite(value) and value >= 0.0):
+            raise ValueError(f"{name} = {value} {unit} must be finite and >= 0 {unit}")
+    if not 0.0 < tolerance < 1.0:
+        raise ValueError(f"tolerance = {tolerance} [-] must lie in 0..1")
+    return z, cases, weights

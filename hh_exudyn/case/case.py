@@ -1,0 +1,376 @@
+"""A `Case`: one vehicle on one track, everything a run needs, as a frozen value.
+
+A case is written to and read from TOML. Its keys carry their units (``speed_km_h``, ``gauge_mm``), for this
+is the edge of the toolkit; the properties `speed` and `alignment` give SI. A case that exists is valid: it is
+checked whenever it is made, and every fault is a `CaseError` of one line with file, key, value, unit and
+what is allowed.
+"""
+
+import tomllib
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Self
+
+import numpy as np
+import tomli_w
+from pydantic import (
+    BaseModel,
+    Discriminator,
+    Field,
+    Tag,
+    ValidationError,
+    field_validator,
+    model_validator,
+)
+
+from hh_exudyn.case.alignment import (
+    LARGEST_GAUGE_MM,
+    CentreLineCase,
+    CurveCase,
+    GradeCase,
+    RampCase,
+    StraightCase,
+    TransitionCase,
+    gauges_mm,
+)
+from hh_exudyn.case.errors import CaseError, explain
+from hh_exudyn.case.fields import CaseTable, from_folder, is_path, number
+from hh_exudyn.case.friction import FrictionCase, FrictionSectionCase, SurfaceCase
+from hh_exudyn.case.rails import read_profile
+from hh_exudyn.case.track import ContactCase, IntegrationCase, TrackCase
+from hh_exudyn.case.traction import SteeringCase, TractionCase
+from hh_exudyn.case.train import BrakeCase, TrainCase
+from hh_exudyn.case.vehicle import VehicleCase, VehicleField, described, resolved, start_in
+from hh_exudyn.contact.friction import FrictionTable, constant_friction
+from hh_exudyn.contact.profile import Profile, read_wheel_profile, wheel_profile
+from hh_exudyn.contact.profiles.measures import flange_thickness
+from hh_exudyn.contact.tangential.given import given_contact_model
+from hh_exudyn.contact.types import GivenCreep, WheelRailModel
+from hh_exudyn.contact.wheel_rail import wheel_rail_model
+from hh_exudyn.conventions import BACK_TO_BACK, LEFT, RIGHT
+from track.course.alignment import Alignment
+from vehicles.description import Vehicle
+
+__all__ = [
+    "BrakeCase",
+    "Case",
+    "CaseError",
+    "CentreLineCase",
+    "ContactCase",
+    "CurveCase",
+    "FrictionCase",
+    "FrictionSectionCase",
+    "GradeCase",
+    "IntegrationCase",
+    "RampCase",
+    "SteeringCase",
+    "StraightCase",
+    "SurfaceCase",
+    "TrackCase",
+    "TractionCase",
+    "TrainCase",
+    "TransitionCase",
+    "VehicleCase",
+    "read_case",
+]
+
+_RAILS = ("rail", "rail_left", "rail_right", "rail_high", "rail_low")
+_FILES = ("wheel_profile", "irregularity", *_RAILS)  # keys whose value may be the path of a file
+SHORTEST_TRACK_M = 30.0  # a wagon of 10.29 m and some way to run
+
+
+def _number_or_table(value: Any) -> str:
+    """How friction is given, as a tag of `_Friction`."""
+    return "table" if isinstance(value, dict | FrictionCase) else "number"
+
+
+_Friction = Annotated[
+    Annotated[float, Field(ge=0.01, le=1.0), Tag("number")] | Annotated[FrictionCase, Tag("table")],
+    Discriminator(_number_or_table),
+]
+
+
+class Case(CaseTable):
+    """One vehicle on one track: what a run is made from.
+
+    Attributes carry their units; see the field bounds for the allowed ranges. `vehicle` is a name of the
+    catalogue or a variant; the path of a vehicle file becomes the table of what it changes
+    (`hh_exudyn.case.vehicle`). `wheel_profile` is a published
+    profile (``"S1002"``) or the path of a profile file. `friction` is one coefficient for all patches, or a
+    table where it is not the same everywhere (`hh_exudyn.case.friction`). `traction` and `steering` are for
+    vehicles with drives (`hh_exudyn.case.traction`); such a vehicle without the first has the default table.
+    `train` passes a force through a hauled vehicle, `brake` presses the brake shoes of one that has them
+    (`hh_exudyn.case.train`).
+
+    Raises
+    ------
+    CaseError
+        For any unknown key or value that is not allowed, with key, value, unit and allowed range.
+    """
+
+    name: str = Field(min_length=1, json_schema_extra={"allowed": "a text"})
+    vehicle: VehicleField = "iore_wagon_loaded"
+    speed_km_h: float = number("km/h", 5, 130)
+    friction: _Friction = Field(json_schema_extra={"allowed": "0.01 to 1, or a table [friction]"})
+    wheel_profile: str = "S1002"
+    track: TrackCase
+    contact: ContactCase = ContactCase()
+    integration: IntegrationCase = IntegrationCase()
+    traction: TractionCase | None = None
+    steering: SteeringCase | None = None
+    train: TrainCase | None = None
+    brake: BrakeCase | None = None
+
+    if not TYPE_CHECKING:  # type checkers keep the signature made from the fields
+
+        def __init__(self, /, **data: Any) -> None:
+            try:
+                super().__init__(**data)
+            except ValidationError as error:
+                raise CaseError(explain(error, Case)) from None
+
+    @field_validator("vehicle", mode="before")
+    @classmethod
+    def _resolve_vehicle(cls, value: Any) -> Any:
+        return resolved(value)
+
+    @field_validator("wheel_profile")
+    @classmethod
+    def _check_wheel_profile(cls, value: str) -> str:
+        _wheel(value)
+        return value
+
+    @model_validator(mode="after")
+    def _check_track(self) -> Self:
+        """The vehicle fits on the track, no gauge jams the wheelset, and the sections follow each other."""
+        sections = self.track.sections or ()
+        allowed = (
+            f"allowed above {self.least_gauge * 1000:.1f} up to {LARGEST_GAUGE_MM:g} mm with wheel profile "
+            f"{self.wheel_profile}"
+        )
+        for i, section in enumerate(sections):
+            for gauge in gauges_mm(section):
+                if gauge <= self.least_gauge * 1000:
+                    raise ValueError(
+                        f"track.sections[{i}].gauge_mm = {gauge:g} mm leaves no flange clearance: {allowed}"
+                    )
+        key = f"track.{self.track.alignment_key}"
+        try:
+            alignment = self.alignment()
+        except ValueError as error:
+            raise ValueError(f"{key}: {error}") from None
+        if alignment.length < SHORTEST_TRACK_M:
+            raise ValueError(
+                f"{key}: length {alignment.length:g} m in all: allowed from {SHORTEST_TRACK_M:g} m, "
+                "so that the vehicle fits"
+            )
+        # blended kinks of gauge ramps overshoot by micrometres
+        narrow, wide = (round(1000 * float(end(alignment.table.gauge)), 1) for end in (np.min, np.max))
+        if not (sections or self.least_gauge * 1000 < narrow <= wide <= LARGEST_GAUGE_MM):
+            raise ValueError(f"{key}: gauge is {narrow:g} to {wide:g} mm: {allowed}")
+        return self
+
+    @model_validator(mode="after")
+    def _check_friction(self) -> Self:
+        """Its sections lie on the track, and the lubricated wheelsets are there."""
+        if isinstance(self.friction, FrictionCase):
+            end = self.alignment().length
+            for i, section in enumerate(self.friction.sections):
+                if section.start_m >= end:
+                    raise ValueError(
+                        f"friction.sections[{i}].start_m = {section.start_m:g} m: allowed below {end:g} m, "
+                        "the length of the track"
+                    )
+            if self.friction.lubricated_wheelsets:
+                self.friction_table(len(self.described_vehicle().wheelsets))
+        return self
+
+    @model_validator(mode="after")
+    def _check_drives(self) -> Self:
+        """Only a vehicle with drives has a driver, and actuators to steer with."""
+        for name in ("traction", "steering"):
+            if getattr(self, name) is not None and not self.described_vehicle().drives:
+                raise ValueError(f"{name} given: vehicle {self.described_vehicle().name} has no drives")
+        return self
+
+    @model_validator(mode="after")
+    def _check_hauled(self) -> Self:
+        """The train has two couplers to act on, and the braked wheels are there."""
+        if self.train is not None:
+            self.train.require_through(self.described_vehicle())
+        if self.brake is not None:
+            self.brake.thrusts(self.described_vehicle())
+        return self
+
+    @property
+    def traction_or_default(self) -> TractionCase:
+        """The driver of a vehicle with drives."""
+        return TractionCase() if self.traction is None else self.traction
+
+    @property
+    def speed(self) -> float:
+        """Speed of the vehicle [m/s]."""
+        return self.speed_km_h / 3.6
+
+    @property
+    def wheel(self) -> Profile:
+        """The wheel profile in side coordinates."""
+        return _wheel(self.wheel_profile)
+
+    @property
+    def least_gauge(self) -> float:
+        """The gauge at which the flange clearance is used up [m]."""
+        return BACK_TO_BACK + 2 * flange_thickness(self.wheel)
+
+    def alignment(self) -> Alignment:
+        """The track's alignment in SI."""
+        return self.track.aligned()
+
+    def friction_table(self, wheelsets: int) -> FrictionTable:
+        """Friction of every patch of the run, for a vehicle with that many wheelsets.
+
+        Raises
+        ------
+        ValueError
+            A wheelset is to be lubricated that the vehicle does not have.
+        """
+        if isinstance(self.friction, FrictionCase):
+            return self.friction.table(wheelsets)
+        return constant_friction([[self.friction, self.friction]] * wheelsets)
+
+    def described_vehicle(self) -> Vehicle:
+        """The description of the vehicle, that of the catalogue or of a variant."""
+        return described(self.vehicle)
+
+    def contact_model(self, vehicle: Vehicle | None = None) -> WheelRailModel:
+        """The contact of every wheel of the run, for the run and for whoever solves logged patches again.
+
+        Parameters
+        ----------
+        vehicle : Vehicle or None
+            Whose wheel radius counts; None: the case's own vehicle.
+
+        Raises
+        ------
+        ValueError
+            The wheels of the vehicle differ in radius, or the theory is "given" and the vehicle states none.
+        """
+        vehicle = vehicle or self.described_vehicle()
+        radii = {wheelset.radius for wheelset in vehicle.wheelsets}
+        if len(radii) > 1:
+            raise ValueError(f"vehicle {vehicle.name}: wheel radii {sorted(radii)} m must be equal")
+        if self.contact.theory == "given":
+            if vehicle.contact is None:
+                raise ValueError(f"contact.theory = 'given': vehicle {vehicle.name} states no contact")
+            stated = vehicle.contact
+            return given_contact_model(
+                GivenCreep(stated.longitudinal, stated.lateral, stated.conicity),
+                stated.half_distance,
+                radii.pop(),
+                self.contact.damping_s_per_m,
+            )
+        return wheel_rail_model(
+            self.wheel,
+            self.wheel,
+            self.track.rail_course(LEFT),
+            self.track.rail_course(RIGHT),
+            nominal_radius=radii.pop(),
+            damping=self.contact.damping_s_per_m,
+            normal=self.contact.normal,
+            theory=self.contact.theory,
+            cells=self.contact.cells,
+        )
+
+    def mirrored(self) -> "Case":
+        """The same case with left and right exchanged."""
+        return self.with_changes(
+            track=self.track.mirrored(),
+            friction=self.friction.mirrored() if isinstance(self.friction, FrictionCase) else self.friction,
+        )
+
+    def with_changes(self, /, **changes: Any) -> "Case":
+        """A changed copy, checked again.
+
+        A table is changed key by key: ``case.with_changes(friction=0.3, track={"flexibility": "rigid"})``.
+        """
+        return Case(**_merged(self.model_dump(), changes))
+
+    def to_toml(self) -> str:
+        """The case as TOML; `read_case` gives an equal case."""
+        return tomli_w.dumps(self.model_dump(exclude_none=True))
+
+    @classmethod
+    def from_toml(cls, text: str, source: str = "case", folder: Path | None = None) -> "Case":
+        """A case from TOML text.
+
+        Parameters
+        ----------
+        text
+            The TOML document.
+        source
+            Name of the file, for error messages.
+        folder
+            Where the relative path of any file starts; the working directory if None.
+
+        Raises
+        ------
+        CaseError
+            One line with file, key, value, unit and what is allowed.
+        """
+        try:
+            data = tomllib.loads(text)
+        except tomllib.TOMLDecodeError as error:
+            raise CaseError(f"{source}: not valid TOML: {error}") from None
+        if folder is not None:
+            _start_in(folder, data)
+        try:
+            return cls(**data)
+        except CaseError as error:
+            raise CaseError(f"{source}: {error}") from None
+
+
+def read_case(path: str | Path) -> Case:
+    """Read a case file (TOML). A relative path in it starts at the folder of the case file.
+
+    Raises
+    ------
+    CaseError
+        One line: the file cannot be read, is not TOML (line and column), has unknown keys or values that
+        are not allowed.
+    """
+    path = Path(path)
+    try:
+        text = path.read_bytes().decode("utf-8-sig")
+    except OSError as error:
+        raise CaseError(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        raise CaseError(f"{path}: not valid TOML: not UTF-8 at byte {error.start}") from None
+    return Case.from_toml(text, source=str(path), folder=path.parent)
+
+
+def _start_in(folder: Path, data: dict[str, Any]) -> None:
+    """Relative paths in a raw case start at its folder; names of built-in things stay as they are."""
+    track = data.get("track")
+    track = track if isinstance(track, dict) else {}
+    start_in(folder, data)
+    sections = track.get("sections")
+    for table in (data, track, *(sections if isinstance(sections, list) else ())):
+        for key in _FILES:
+            if isinstance(table, dict) and isinstance(table.get(key), str) and is_path(table[key]):
+                from_folder(table, folder, key)
+    from_folder(track, folder, "alignment", "centre_line")
+    from_folder(track.get("centre_line"), folder, "file")
+
+
+def _wheel(name: str) -> Profile:
+    return read_profile(read_wheel_profile, name) if is_path(name) else wheel_profile(name)
+
+
+def _merged(old: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
+    """`old` with `changes`, tables merged key by key."""
+    new = dict(old)
+    for key, value in changes.items():
+        if isinstance(value, BaseModel):
+            value = value.model_dump()
+        both = isinstance(value, dict) and isinstance(old.get(key), dict)
+        new[key] = _merged(old[key], value) if both else value
+    return new

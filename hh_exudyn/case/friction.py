@@ -1,0 +1,198 @@
+"""The table ``[friction]`` of a case file, in place of one number for all wheels. See `hh_exudyn.case.case`.
+
+It says the weather or the coefficients of tread, gauge corner and flange, what treats them, how friction
+falls with slip, and from where on the track any of this is different::
+
+    [friction]
+    climate = "cold_dry"
+    falling = "polach_dry"
+    lubricated_wheelsets = [1, 6]
+
+    [[friction.sections]]
+    start_m = 300.0
+    treatments = ["flange_lubrication"]
+
+    [friction.sections.left]
+    climate = "dry"
+"""
+
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import Any, Self
+
+from pydantic import Field, field_validator, model_validator
+
+from hh_exudyn.case.errors import closest
+from hh_exudyn.case.fields import CaseTable, number
+from hh_exudyn.contact.friction import FrictionTable
+from track.friction import ZONES, Falling, Friction, FrictionSection, Zones, climate, falling, known
+
+_A_LIST = 'a list of treatments, as ["flange_lubrication"]'
+_WHEELSETS = "a list of whole numbers, 1 the leading wheelset"
+
+
+class SurfaceCase(CaseTable):
+    """Friction of a surface: a climate, or a coefficient each of tread, gauge corner and flange; treatments.
+
+    What a table leaves out it takes from the one around it. Climates and treatments: `track.friction.known`.
+    """
+
+    climate: str | None = None
+    tread: float | None = number("-", 0.01, 1.0, None)
+    gauge_corner: float | None = number("-", 0.01, 1.0, None)
+    flange: float | None = number("-", 0.01, 1.0, None)
+    treatments: tuple[str, ...] | None = Field(None, strict=False, json_schema_extra={"allowed": _A_LIST})
+
+    @field_validator("climate")
+    @classmethod
+    def _check_climate(cls, value: str | None) -> str | None:
+        if value is not None:
+            _require_known("climate", (value,))
+        return value
+
+    @field_validator("treatments")
+    @classmethod
+    def _check_treatments(cls, value: tuple[str, ...] | None) -> tuple[str, ...] | None:
+        _require_known("treatment", value or ())
+        return value
+
+    @model_validator(mode="after")
+    def _check_one_way(self) -> Self:
+        """A climate or three numbers, not both, not fewer."""
+        given = [name for name in ZONES if getattr(self, name) is not None]
+        if given and self.climate is not None:
+            raise ValueError(f'climate = "{self.climate}" and {given[0]}: allowed is one or the other')
+        if given and len(given) < len(ZONES):
+            missing = next(name for name in ZONES if name not in given)
+            raise ValueError(f"{missing} is missing: allowed {', '.join(ZONES)} together, 0.01 to 1")
+        return self
+
+    def untreated(self) -> Zones | None:
+        """What the table itself says of the untreated surface, None if nothing."""
+        if self.climate is not None:
+            return climate(self.climate)
+        if self.tread is None or self.gauge_corner is None or self.flange is None:
+            return None
+        return Zones(self.tread, self.gauge_corner, self.flange)
+
+
+class BothRailsCase(SurfaceCase):
+    """A surface on both rails, and what is different on the left or the right one."""
+
+    left: SurfaceCase | None = None
+    right: SurfaceCase | None = None
+
+    def mirrored(self) -> Self:
+        """The same with left and right exchanged."""
+        return self.model_copy(update={"left": self.right, "right": self.left})
+
+
+class FrictionSectionCase(BothRailsCase):
+    """From `start_m` on friction is different, up to the next section."""
+
+    start_m: float = number("m", 0, 1_000_000)
+
+
+class FrictionCase(BothRailsCase):
+    """Friction that is not the same everywhere.
+
+    `falling`: a characteristic of `track.friction.known`, which falls from the coefficients, those at rest;
+    without it friction is the same at any slip. `lubricated_wheelsets` bring their own `lubrication`, a
+    treatment, wherever they are. One section changes into the next over `ramp_m`.
+    """
+
+    falling: str | None = None
+    lubricated_wheelsets: tuple[int, ...] = Field((), strict=False, json_schema_extra={"allowed": _WHEELSETS})
+    lubrication: str = "flange_lubrication"
+    ramp_m: float = number("m", 0.1, 100, 2.0)
+    sections: tuple[FrictionSectionCase, ...] = Field(
+        (), strict=False, json_schema_extra={"allowed": "tables [[friction.sections]]"}
+    )
+
+    @field_validator("falling")
+    @classmethod
+    def _check_falling(cls, value: str | None) -> str | None:
+        if value is not None:
+            _require_known("falling", (value,))
+        return value
+
+    @field_validator("lubrication")
+    @classmethod
+    def _check_lubrication(cls, value: str) -> str:
+        _require_known("treatment", (value,))
+        return value
+
+    @model_validator(mode="after")
+    def _check_sections(self) -> Self:
+        """Every section is as long as its ramp, and both rails have friction everywhere."""
+        for i, (one, other) in enumerate(pairwise(self.sections)):
+            least = one.start_m + self.ramp_m
+            if other.start_m < least:
+                raise ValueError(
+                    f"sections[{i + 1}].start_m = {other.start_m:g} m: allowed from {least:g} m on, "
+                    f"ramp_m = {self.ramp_m:g} m behind the section before it"
+                )
+        self.friction()
+        return self
+
+    def mirrored(self) -> Self:
+        """The same with left and right exchanged."""
+        sections = tuple(section.mirrored() for section in self.sections)
+        return super().mirrored().model_copy(update={"sections": sections})
+
+    def friction(self) -> Friction:
+        """Friction along the track; before the first section it is that of the table itself.
+
+        Raises
+        ------
+        ValueError
+            A rail has neither climate nor coefficients.
+        """
+        places = [(-self.ramp_m, (self,)), *((place.start_m, (place, self)) for place in self.sections)]
+        return Friction(
+            tuple(
+                FrictionSection(
+                    start,
+                    _zones(table for around in tables for table in (around.left, around)),
+                    _zones(table for around in tables for table in (around.right, around)),
+                )
+                for start, tables in places
+            ),
+            Falling() if self.falling is None else falling(self.falling),
+            self.ramp_m,
+        )
+
+    def table(self, wheelsets: int) -> FrictionTable:
+        """What the contact of a vehicle with that many wheelsets reads.
+
+        Raises
+        ------
+        ValueError
+            A wheelset is to be lubricated that the vehicle does not have.
+        """
+        for i, wheelset in enumerate(self.lubricated_wheelsets):
+            if not 1 <= wheelset <= wheelsets:
+                raise ValueError(
+                    f"friction.lubricated_wheelsets[{i}] = {wheelset}: allowed 1 to {wheelsets}, the "
+                    "wheelsets of the vehicle"
+                )
+        own = [(self.lubrication,) if w in self.lubricated_wheelsets else () for w in range(1, wheelsets + 1)]
+        return self.friction().table(own)
+
+
+def _zones(tables: Iterable[SurfaceCase | None]) -> Zones:
+    """Friction of one rail: what the first of these tables says that says something."""
+    said = [table for table in tables if table is not None]
+    zones = next((zones for table in said if (zones := table.untreated()) is not None), None)
+    if zones is None:
+        raise ValueError(f"climate is missing: allowed {', '.join(known('climate'))}; or {', '.join(ZONES)}")
+    treatments = next((table.treatments for table in said if table.treatments is not None), ())
+    return zones.treated(*treatments)
+
+
+def _require_known(kind: str, names: Iterable[Any]) -> None:
+    """ValueError, as the message of a field, for a name that the data file does not have."""
+    names_known = known(kind)
+    for name in names:
+        if name not in names_known:
+            raise ValueError(f"allowed {', '.join(names_known)}{closest(name, names_known)}")

@@ -1,0 +1,37 @@
+"""The rails in a case file: names of known profiles, or files. See `hh_exudyn.case.track`."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Annotated
+
+from pydantic import AfterValidator
+
+from hh_exudyn.case.fields import is_path
+from hh_exudyn.contact.profile import Profile, read_rail_profile
+from track.rails import Rails
+
+
+def read_profile(reader: Callable[[Path], Profile], path: str) -> Profile:
+    """Read a profile; a file that may not be read is bad input too."""
+    try:
+        return reader(Path(path))
+    except OSError as error:
+        raise ValueError(f"cannot be read: {error.strerror}") from None
+
+
+def _check_rail(name: str) -> str:
+    """A rail is a known name, or a file that can be read."""
+    if is_path(name):
+        read_profile(read_rail_profile, name)
+    else:
+        Rails(left=name, right=name).left_profile()
+    return name
+
+
+RailName = Annotated[str, AfterValidator(_check_rail)]
+
+
+def sided(rails: Rails, both: str | None, left: str | None, right: str | None) -> Rails:
+    """`rails` with what is given for both sides, and for each."""
+    return replace(rails, left=left or both or rails.left, right=right or both or rails.right)

@@ -1,0 +1,99 @@
+"""The vehicle of a case: a name of the catalogue, or a variant, which the case holds whole.
+
+In a case file ``vehicle = "worn.toml"`` names a vehicle file (`vehicles.variants`), and a table says the same
+in place::
+
+    [vehicle]
+    base = "iore_wagon_loaded"
+    wedge = { friction = 0.35 }
+
+Either way the `Case` keeps the numbers, not the file: what is changed in it later does not change the case,
+nor the runs made from it, whose ``case.toml`` has the table.
+"""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any, Self
+
+from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
+
+from hh_exudyn.case.fields import CaseTable, from_folder
+from vehicles.description import Vehicle
+from vehicles.variants import Variant, find_variant, is_vehicle_file, read_variant, variant_of_table
+
+
+class ChangedNumber(CaseTable):
+    """A number of a vehicle that is not as in its base."""
+
+    value: float
+    unit: str
+    source: str
+
+
+class VehicleCase(CaseTable):
+    """A variant: name, base in the catalogue, and beside them a table of numbers for each part."""
+
+    model_config = ConfigDict(frozen=True, extra="allow", strict=True, allow_inf_nan=False)
+    __pydantic_extra__: dict[str, dict[str, ChangedNumber]]
+
+    name: str
+    base: str
+    description: str = ""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _resolve(cls, data: Any) -> Any:
+        """A base that is a file, and numbers without unit and source, become what they stand for."""
+        if not isinstance(data, Mapping):
+            return data
+        named = {"name": "variant", **data}
+        return variant_of_table(named, "case").to_table()
+
+    def variant(self) -> Variant:
+        """The same as the vehicles' own value."""
+        return variant_of_table(self.model_dump(), "case")
+
+    @classmethod
+    def of(cls, variant: Variant) -> Self:
+        """The table of a variant."""
+        return cls(**variant.to_table())
+
+
+def _name_or_table(value: Any) -> str:
+    return "table" if isinstance(value, Mapping | VehicleCase) else "name"
+
+
+VehicleField = Annotated[
+    Annotated[str, Tag("name")] | Annotated[VehicleCase, Tag("table")],
+    Discriminator(_name_or_table),
+    Field(json_schema_extra={"allowed": "a name of the catalogue, a vehicle file, or a table [vehicle]"}),
+]
+
+
+def resolved(value: Any) -> Any:
+    """A vehicle file as the table that it stands for; a name after a look into the catalogue.
+
+    Raises
+    ------
+    ValueError
+        The name is not known, or the file not good.
+    """
+    if not isinstance(value, str):
+        return value
+    if is_vehicle_file(value):
+        return read_variant(value).to_table()
+    find_variant(value)
+    return value
+
+
+def described(value: str | VehicleCase) -> Vehicle:
+    """The description that a run uses."""
+    return (find_variant(value) if isinstance(value, str) else value.variant()).vehicle()
+
+
+def start_in(folder: Path, data: dict[str, Any]) -> None:
+    """Let the paths of vehicle files in a raw case start at its folder."""
+    value = data.get("vehicle")
+    table, key = (value, "base") if isinstance(value, dict) else (data, "vehicle")
+    if isinstance(table.get(key), str) and is_vehicle_file(table[key]):
+        from_folder(table, folder, key)

@@ -1,0 +1,294 @@
+"""The commands about one contact: ``patch``, ``validate``, ``conicity``. They compute nothing themselves.
+
+Millimetres, kilonewtons and per mille exist here and nowhere deeper. Everything heavy is imported inside the
+commands, so that ``--help`` answers at once.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+from rich.table import Table
+
+from hh_exudyn.cli.output import (
+    NOTHING,
+    NewFigure,
+    Refused,
+    check,
+    err,
+    new_table,
+    number,
+    out,
+    print_table,
+    require_new_figure,
+    told,
+    write_figure,
+)
+
+if TYPE_CHECKING:
+    from hh_exudyn.contact.geometry.merit import ConicityReport
+    from hh_exudyn.contact.profile import Profile
+    from hh_exudyn.contact.tangential.api import CreepForce, TractionField
+    from hh_exudyn.figures.patch import PatchLoad
+
+validate = typer.Typer(help="Compare the toolkit with outside numbers.", no_args_is_help=True)
+
+
+def register(app: typer.Typer) -> None:
+    """Give the commands of this file to the program."""
+    app.command()(patch)
+    app.command()(conicity)
+    app.add_typer(validate, name="validate")
+
+
+def patch(
+    a_mm: Annotated[float, typer.Option(metavar="mm", help="Semi-axis of the patch in rolling direction.")],
+    b_mm: Annotated[float, typer.Option(metavar="mm", help="Lateral semi-axis.")],
+    load_kn: Annotated[float, typer.Option(metavar="kN", help="Normal force.")],
+    nu_x: Annotated[
+        float, typer.Option(metavar="NUMBER", help="Longitudinal creepage, wheel relative to rail.")
+    ] = 0.0,
+    nu_y: Annotated[
+        float, typer.Option(metavar="NUMBER", help="Lateral creepage, positive to the left.")
+    ] = 0.0,
+    spin: Annotated[float, typer.Option(metavar="1/m", help="Spin creepage.")] = 0.0,
+    friction: Annotated[float, typer.Option(metavar="NUMBER", help="Friction coefficient.")] = 0.3,
+    theory: Annotated[
+        list[str] | None, typer.Option(metavar="NAME", help="Only this theory; may be repeated.")
+    ] = None,
+    cells: Annotated[
+        int, typer.Option(metavar="N", help="Cells along the patch, and strips across it.")
+    ] = 50,
+    figure: NewFigure = None,
+) -> None:
+    """Creep forces of one elliptic patch after every theory, side by side: a table and a figure."""
+    with told():
+        check("--a-mm", a_mm, 0.1, 100.0, "mm")
+        check("--b-mm", b_mm, 0.1, 100.0, "mm")
+        check("--load-kn", load_kn, 0.001, 1000.0, "kN")
+        check("--nu-x", nu_x, -1.0, 1.0, "")
+        check("--nu-y", nu_y, -1.0, 1.0, "")
+        check("--spin", spin, -100.0, 100.0, "1/m")
+        check("--friction", friction, 0.001, 2.0, "")
+        check("--cells", cells, 5, 400, "")
+        require_new_figure(figure)
+        names = _theories(theory or [])
+        from hh_exudyn.contact.material import STEEL
+        from hh_exudyn.contact.tangential.api import creep_force, traction_field
+        from hh_exudyn.contact.tangential.theories import FIELD_THEORIES
+        from hh_exudyn.figures.patch import PatchLoad, patch_figure
+
+        load = PatchLoad(a_mm * 1e-3, b_mm * 1e-3, load_kn * 1e3, nu_x, nu_y, spin, friction)
+        forces = {name: creep_force(name, *load.arguments, cells=(cells, cells)) for name in names}
+        fields = {
+            name: traction_field(name, *load.arguments, cells=(cells, cells))
+            for name in names
+            if name in FIELD_THEORIES
+        }
+        print_table(_patch_table(load, forces, fields))
+        out.print(
+            "forces on the wheel; limit: friction * normal force; "
+            f"steel: G = {STEEL.shear_modulus * 1e-9:g} GPa, nu = {STEEL.poisson_ratio:g}"
+        )
+        if figure is not None:
+            write_figure(patch_figure(load, forces, fields), figure)
+
+
+def _patch_table(
+    load: "PatchLoad", forces: Mapping[str, "CreepForce"], fields: Mapping[str, "TractionField"]
+) -> Table:
+    """A line per theory; theories without a stress field leave the last two columns open."""
+    from hh_exudyn.contact.tangential.api import cell_areas
+
+    limit = load.friction * load.normal_force
+    pressure = 1.5 * load.normal_force / (math.pi * load.a * load.b)
+    table = new_table(
+        f"Patch of {2e3 * load.a:.4g} x {2e3 * load.b:.4g} mm under {load.normal_force * 1e-3:.4g} kN, "
+        f"Hertz pressure {pressure * 1e-6:.0f} MPa",
+        ("theory", "F_x [kN]", "F_y [kN]", "M_z [N\u00a0m]", "force over limit [%]", "max traction [MPa]",
+         "slip [%\u00a0of\u00a0area]"),
+    )  # fmt: skip
+    for name, force in forces.items():
+        stresses = [NOTHING, NOTHING]
+        if name in fields:
+            field = fields[name]
+            traction = (field.q_x**2 + field.q_y**2) ** 0.5
+            slides = (field.slip_x != 0.0) | (field.slip_y != 0.0)
+            areas = cell_areas(load.a, load.b, *slides.shape)
+            share = areas[slides].sum() / areas.sum()
+            stresses = [f"{traction.max() * 1e-6:.0f}", f"{100.0 * share:.0f}"]
+        table.add_row(
+            name,
+            number(force.x * 1e-3, 2),
+            number(force.y * 1e-3, 2),
+            number(force.moment, 2),
+            number(100.0 * math.hypot(force.x, force.y) / limit, 1),
+            *stresses,
+        )
+    return table
+
+
+@validate.command("contact")
+def validate_contact() -> None:
+    """Creep forces and stresses of every theory against the exact solution, over the reference cases."""
+    with told():
+        from hh_exudyn.contact.tangential.validation import COLUMNS, contact_table, to_table
+
+        with err.status("comparing"):
+            rows = to_table(contact_table())
+        table = new_table("Errors of the tangential theories against the exact half-space solution", COLUMNS)
+        table.padding = (0, 0, 0, 1)  # many columns
+        for row in rows:
+            table.add_row(*row)
+        print_table(table)
+        out.print(
+            "force: in % of friction * normal force; |q| traction, |s| slip, peak of |q|: in % of the exact"
+        )
+
+
+def conicity(
+    wheel: Annotated[str, typer.Argument(metavar="WHEEL", help="Standard wheel profile, or a file.")],
+    rail: Annotated[str, typer.Argument(metavar="RAIL", help="Standard rail, or a file.")],
+    gauge_mm: Annotated[
+        list[float] | None, typer.Option(metavar="mm", help="Track gauge; may be repeated. [default: 1435]")
+    ] = None,
+    inclination: Annotated[
+        str | None,
+        typer.Option(metavar="1:N", help="Of a standard rail: 30, 1:30 or upright. [default: 1:30]"),
+    ] = None,
+    radius_mm: Annotated[
+        float, typer.Option(metavar="mm", help="Wheel radius at the running circle.")
+    ] = 460.0,
+    tape_distance_mm: Annotated[
+        float, typer.Option(metavar="mm", help="Distance of the two running circles.")
+    ] = 1500.0,
+    amplitude_mm: Annotated[
+        list[float] | None, typer.Option(metavar="mm", help="May be repeated. [default: 1 to 10]")
+    ] = None,
+    figure: NewFigure = None,
+) -> None:
+    """Equivalent conicity (EN 15302) and rolling radius difference of a wheelset on a track."""
+    with told():
+        gauges = sorted(set(gauge_mm or [1435.0]))
+        amplitudes = sorted(set(amplitude_mm or map(float, range(1, 11))))
+        for value in gauges:
+            check("--gauge-mm", value, 500.0, 2000.0, "mm")
+        for value in amplitudes:
+            check("--amplitude-mm", value, 0.1, 20.0, "mm")
+        check("--radius-mm", radius_mm, 100.0, 2000.0, "mm")
+        check("--tape-distance-mm", tape_distance_mm, 300.0, 3000.0, "mm")
+        require_new_figure(figure)
+        profiles = _wheel(wheel), _rail(rail, inclination)
+        import numpy as np
+
+        from hh_exudyn.contact.geometry.merit import conicity_report
+
+        reports = {}
+        for gauge in gauges:
+            try:
+                reports[f"gauge {gauge:g} mm"] = conicity_report(
+                    *profiles,
+                    radius=radius_mm * 1e-3,
+                    gauge=gauge * 1e-3,
+                    tape_distance=tape_distance_mm * 1e-3,
+                    amplitudes=np.array(amplitudes) * 1e-3,
+                )
+            except ValueError as error:  # the pair does not touch on this gauge
+                raise Refused(str(error)) from None
+        print_table(_conicity_table(f"{profiles[0].name} on {profiles[1].name}", reports))
+        for name, report in reports.items():
+            out.print(f"{name}: {_summary(report)}")
+        out.print(
+            "conicity at the amplitude y; radius difference left - right at the displacement y to the left;\n"
+            f"wheel radius {radius_mm:g} mm, tape distance {tape_distance_mm:g} mm"
+        )
+        if figure is not None:
+            from hh_exudyn.figures.conicity_sheet import conicity_sheet
+
+            write_figure(conicity_sheet(*profiles, reports), figure)
+
+
+def _conicity_table(title: str, reports: Mapping[str, "ConicityReport"]) -> Table:
+    """A line per amplitude, two columns per report."""
+    import numpy as np
+
+    amplitudes = next(iter(reports.values())).amplitudes
+    headings, columns = ["y [mm]"], [[f"{1e3 * amplitude:g}" for amplitude in amplitudes]]
+    for name, report in reports.items():
+        at = name.replace(" mm", "\u00a0mm:")
+        headings += [f"{at} conicity [-]", f"{at} radius\u00a0diff. [mm]"]
+        differences = np.interp(
+            amplitudes, report.functions.lateral, report.functions.radius_difference, right=math.nan
+        )
+        columns.append([number(value, 3) for value in report.conicity])
+        columns.append([number(1e3 * value, 2) for value in differences])
+    table = new_table(title, tuple(headings))
+    for cells in zip(*columns, strict=True):
+        table.add_row(*cells)
+    return table
+
+
+def _summary(report: "ConicityReport") -> str:
+    """What stands beside the table."""
+    return (
+        f"flange touches at {number(1e3 * report.clearance_right, 2)} and "
+        f"{number(1e3 * report.clearance_left, 2)} mm, "
+        f"conicity at 3 mm {number(report.reference_conicity, 3)}, "
+        f"nonlinearity {number(1e-3 * report.nonlinearity, 3)} 1/mm"
+    )
+
+
+def _theories(wanted: list[str]) -> list[str]:
+    """The theories asked for, all without a wish, in the order of the toolkit's own list."""
+    from hh_exudyn.contact.tangential.theories import THEORIES
+
+    for name in wanted:
+        if name not in THEORIES:
+            raise Refused(f"--theory {name}: unknown, allowed: {', '.join(THEORIES)}")
+    return [name for name in THEORIES if name in wanted or not wanted]
+
+
+def _wheel(name: str) -> "Profile":
+    """A standard wheel profile by its name, or one from a file."""
+    from hh_exudyn.contact.profile import WHEEL_PROFILES, read_wheel_profile, wheel_profile
+
+    if name in WHEEL_PROFILES:
+        return wheel_profile(name)
+    return _read("WHEEL", name, read_wheel_profile, WHEEL_PROFILES)
+
+
+def _rail(name: str, inclination: str | None) -> "Profile":
+    """A standard rail by its name, inclined, or one from a file, which lies as it was measured."""
+    from hh_exudyn.contact.profile import RAIL_PROFILES, rail_profile, read_rail_profile
+
+    if name in RAIL_PROFILES:
+        return rail_profile(name, _inclination(inclination or "1:30"))
+    if inclination is not None and Path(name).is_file():
+        raise Refused(f"--inclination {inclination}: for standard rails only, a file holds its rail inclined")
+    return _read("RAIL", name, read_rail_profile, RAIL_PROFILES)
+
+
+def _read(what: str, name: str, reader: Callable[[str], "Profile"], known: tuple[str, ...]) -> "Profile":
+    if not Path(name).is_file():
+        raise Refused(f"{what} {name}: no file and no standard profile, known: {', '.join(known)}")
+    try:
+        return reader(name)
+    except (ValueError, OSError) as error:
+        raise Refused(str(error)) from None
+
+
+def _inclination(text: str) -> float:
+    """Tangent of a rail's inclination from 30, 1:30 or upright."""
+    if text == "upright":
+        return 0.0
+    try:
+        slope = float(text.removeprefix("1:"))
+    except ValueError:
+        slope = math.nan
+    if not 10.0 <= abs(slope) <= 1e6:
+        raise Refused(
+            f"--inclination {text}: allowed upright, or 10 and more for 1:10 and less, as 30 or 1:30"
+        )
+    return 1.0 / slope

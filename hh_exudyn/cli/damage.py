@@ -1,0 +1,226 @@
+"""The command about damage: ``damage`` gives wear and fatigue of a run's wheels. It computes nothing.
+
+Millimetres and kilometres exist here and nowhere deeper. Everything heavy is imported inside the functions:
+``--help`` answers at once.
+"""
+
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+from rich.table import Table
+
+from hh_exudyn.cli.output import Refused, check, err, new_table, out, print_table, require_new_folder, told
+
+if TYPE_CHECKING:
+    import pyarrow
+    from matplotlib.figure import Figure
+
+    from damage.report import DamageReport
+    from hh_exudyn.contact.profile import Profile
+    from hh_exudyn.log.store import Run
+
+
+class Surface(StrEnum):
+    """State of the wheel-rail surface, as Archard's law has it."""
+
+    dry = "dry"
+    lubricated = "lubricated"
+    greased = "greased"
+
+
+RunFolder = Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")]
+FIGURE_DISTANCE = 50_000.0  # km, of the figures without --distance-km: as in Hossein-Nia (2018)
+
+
+def register(app: typer.Typer) -> None:
+    """Give the commands of this file to the program."""
+    app.command()(damage)
+
+
+def damage(
+    folder: RunFolder,
+    out_folder: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="DIR", help="New or empty folder; without, DIR/damage of the run."),
+    ] = None,
+    model: Annotated[
+        str, typer.Option(metavar="LAW", help="Wear law: archard, british_rail, usfd, ward.")
+    ] = "archard",
+    surface: Annotated[
+        Surface | None, typer.Option(help="Surface, for Archard's wear coefficients. [default: dry]")
+    ] = None,
+    theory: Annotated[
+        str, typer.Option(metavar="NAME", help="Tangential theory: fastrip, fastsim, full_slip, ...")
+    ] = "fastrip",
+    material: Annotated[str, typer.Option(metavar="STEEL", help="Wheel steel: ER7, ER8, ER9, ...")] = "ER7",
+    distance_km: Annotated[
+        float | None, typer.Option(metavar="KM", help="Also give the damage after this distance.")
+    ] = None,
+    skip_bad_rows: Annotated[
+        bool, typer.Option("--skip-bad-rows", help="Leave out rows that no contact can have; count them.")
+    ] = False,
+) -> None:
+    """Wear and rolling contact fatigue of a run's wheels, from its contact log: tables and figures."""
+    with told(folder):
+        if out_folder is not None:
+            require_new_folder(out_folder)
+        if distance_km is not None:
+            check("--distance-km", distance_km, 1e-3, 1e7, "km")
+        options = _options(model, surface, theory, material)
+        show_damage(opened(folder), out_folder or folder / "damage", distance_km, skip_bad_rows, **options)
+
+
+def _options(model: str, surface: Surface | None, theory: str, material: str) -> dict[str, Any]:
+    """What `assess` takes for the names on the command line; a wrong one is refused."""
+    from damage.material import wheel_material
+    from damage.surface.patch_field import theory_number
+    from damage.wear.laws import wear_law
+
+    try:
+        theory_number(theory)
+        law = wear_law(model, **({} if surface is None else {"surface": surface.value}))
+        return {"law": law, "theory": theory, "material": wheel_material(material)}
+    except ValueError as error:
+        raise Refused(str(error)) from None
+
+
+def _assessed(done: "Run", skip_bad_rows: bool = False, **options: Any) -> "DamageReport":
+    """The damage of a run; what its log lacks is bad input."""
+    from damage.report import assess
+
+    with err.status("damage"):
+        try:
+            return assess(done, profile=_wheel_profile(done), skip_bad_rows=skip_bad_rows, **options)
+        except ValueError as error:
+            hint = "; --skip-bad-rows leaves them out" if "rows are bad" in str(error) else ""
+            raise Refused(f"{done.directory}: {error}{hint}") from None
+
+
+def _wheel_profile(done: "Run") -> "Profile":
+    """The wheel profile of a run's case."""
+    from hh_exudyn.case import Case
+
+    return Case.from_toml(done.case_text, source=f"{done.directory}/case.toml").wheel
+
+
+def show_damage(
+    done: "Run",
+    folder: Path,
+    distance_km: float | None = None,
+    skip_bad_rows: bool = False,
+    **options: Any,
+) -> None:
+    """Print the damage tables of a run and write tables and figures.
+
+    Parameters
+    ----------
+    done
+        The run.
+    folder
+        Where tables and figures go.
+    distance_km
+        Also give the damage after this distance; None for none.
+    skip_bad_rows
+        Leave out rows that no contact can have.
+    options
+        Of `damage.report.assess`.
+    """
+    import pyarrow.csv
+
+    report = _assessed(done, skip_bad_rows, **options)
+    tables = {"damage.csv": report.to_table()}
+    if distance_km is not None:
+        tables["distance.csv"] = report.distance_table(1e3 * distance_km)
+    if report.bad_rows.count:
+        tables["bad_rows.csv"] = report.bad_rows.to_table()
+    figures = _figures(done, report, 1e3 * (FIGURE_DISTANCE if distance_km is None else distance_km))
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, table in tables.items():
+        pyarrow.csv.write_csv(table, folder / name)
+    for name, figure in figures.items():
+        figure.savefig(folder / name, dpi=150)
+    print_table(_table_of("Damage over the whole run", tables["damage.csv"], DAMAGE_COLUMNS))
+    if distance_km is not None:
+        print_table(_table_of(f"Damage after {distance_km:,g} km", tables["distance.csv"], DISTANCE_COLUMNS))
+    if "corrected_rcf_number_per_km" in tables["damage.csv"].column_names:
+        out.print("RCF: revolutions beyond shakedown; kept: what Burstow's correction leaves of them")
+    if report.bad_rows.count:
+        out.print(f"left out: {report.bad_rows}", markup=False)
+    out.print(f"damage: {folder} ({', '.join([*tables, *figures])})")
+
+
+def _figures(done: "Run", report: "DamageReport", distance: float) -> "dict[str, Figure]":
+    """The figures by the name of their file; the map is of the wheel with most fatigue on its tread."""
+    from damage.figures.profile_panels import fatigue_figure, wear_figure
+    from damage.figures.rcf_bins import rcf_bins_figure
+    from damage.figures.rcf_maps import energy_map_figure
+    from damage.figures.working_points import shakedown_figure
+    from damage.surface.wheel_surface import TREAD
+
+    surface, profile = report.surface, _wheel_profile(done)
+    figures = {
+        "wear.png": wear_figure(report, profile),
+        "fatigue.png": fatigue_figure(report, profile),
+        "rcf_bins.png": rcf_bins_figure(report, distance),
+    }
+    if report.model.burstow is not None:
+        worst = surface.wheels[int(surface.rcf_number[:, TREAD].max(axis=(1, 2)).argmax())]
+        figures["rcf_map.png"] = energy_map_figure(report, worst, distance)
+    figures["shakedown.png"] = shakedown_figure(
+        done, report.model.material, skip_bad_rows=report.bad_rows.count > 0
+    )
+    return figures
+
+
+def opened(folder: Path) -> "Run":
+    """The run in a folder, with at least one contact log row to look at."""
+    from hh_exudyn.log.store import open_run
+
+    try:
+        done = open_run(folder)
+        if done.read("contact", ["time"]).num_rows == 0:
+            raise Refused(f"{folder}: the contact log has no rows")
+    except (FileNotFoundError, ValueError) as error:
+        raise Refused(str(error)) from None
+    return done
+
+
+Columns = dict[str, tuple[str, float, str]]  # column of a table: heading, factor, format
+DAMAGE_COLUMNS: Columns = {
+    "p_max_MPa": ("p_max [MPa]", 1.0, ".0f"),
+    "wear_number_N": ("wear number [N]", 1.0, ".0f"),
+    "fatigue_share": ("FI>0 tread [%]", 100.0, ".1f"),
+    "fatigue_area_index": ("FI area tread [%]", 100.0, ".1f"),
+    "wear_depth_mm_per_1000_km": ("wear depth [µm/km]", 1.0, ".3g"),  # the same unit in short
+    "wear_y_mm": ("at y [mm]", 1.0, ".1f"),
+    "worn_area_mm2_per_km": ("worn area [mm²/km]", 1.0, ".3g"),
+    "wear_seizure_share": ("seizure [%]", 100.0, ".0f"),
+    "flange_share": ("flange [%]", 100.0, ".0f"),
+    "rcf_number_per_km": ("RCF\u00a0tread [1/km]", 1.0, ".0f"),
+    "corrected_rcf_number_per_km": ("kept [1/km]", 1.0, ".0f"),
+}
+DISTANCE_COLUMNS: Columns = {
+    "wear_depth_mm": ("wear depth [mm]", 1.0, ".3g"),
+    "worn_area_mm2": ("worn area [mm²]", 1.0, ".3g"),
+    "rcf_number": ("RCF number", 1.0, ".3g"),
+    "corrected_rcf_number": ("kept", 1.0, ".3g"),
+    "crack_damage": ("Miner's sum", 1.0, ".3g"),
+    "flange_rcf_number": ("RCF flange", 1.0, ".3g"),
+    "flange_corrected_rcf_number": ("kept", 1.0, ".3g"),
+    "flange_crack_damage": ("Miner's flange", 1.0, ".3g"),
+}
+
+
+def _table_of(title: str, table: "pyarrow.Table", columns: Columns) -> Table:
+    """A line per wheel; the file has more columns. What wear law or steel do not give is not there."""
+    shown = {name: column for name, column in columns.items() if name in table.column_names}
+    lines = new_table(title, ("wheel", *(heading for heading, _, _ in shown.values())))
+    rows = table.to_pylist()
+    several = len({row["vehicle"] for row in rows}) > 1
+    for row in rows:
+        unit = f"{row['vehicle']}." if several else ""
+        cells = (f"{row[name] * factor:{form}}" for name, (_, factor, form) in shown.items())
+        lines.add_row(f"{unit}{row['wheelset']}{'L' if row['side'] > 0 else 'R'}", *cells)
+    return lines

@@ -1,0 +1,332 @@
+"""The commands about track: ``track plot`` shows a case's track or a line. They compute nothing themselves.
+
+Millimetres and km/h exist here and nowhere deeper. Everything heavy is imported inside the commands, so that
+``--help`` answers at once.
+"""
+
+import math
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+from rich.table import Table
+
+from hh_exudyn.cli.output import (
+    NOTHING,
+    NewFigure,
+    Refused,
+    check,
+    new_table,
+    number,
+    out,
+    print_table,
+    require_new_figure,
+    told,
+    write_figure,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from hh_exudyn.case import Case
+    from track.course.alignment import Alignment
+    from track.irregularity.irregularity import Irregularity
+    from track.irregularity.quality import TrackQuality
+    from track.line.line import TrackSection
+
+track = typer.Typer(help="Look at tracks and lines.", no_args_is_help=True)
+
+_OF_A_CASE = {"track", "vehicle", "friction", "wheel_profile"}  # keys at the top of a case file
+_OF_A_LINE = {"length", "country", "curve", "gauge"}  # and of a line's file
+
+
+def register(app: typer.Typer) -> None:
+    """Give the commands of this file to the program."""
+    app.add_typer(track, name="track")
+
+
+@track.callback()
+def _track() -> None:
+    """Look at tracks and lines."""
+
+
+@track.command()
+def plot(
+    source: Annotated[
+        str, typer.Argument(metavar="CASE|LINE", help="Case file, name of a line, or a line's file.")
+    ],
+    figure: NewFigure = None,
+    speed_km_h: Annotated[
+        float | None,
+        typer.Option(metavar="km/h", help="Of a case: judge cant and quality at it. [default: the case's]"),
+    ] = None,
+    vehicle: Annotated[
+        str | None,
+        typer.Option(metavar="NAME", help="Of a line: whose speeds hold. [default: the first in its file]"),
+    ] = None,
+) -> None:
+    """Sections, irregularities and quality of a case's track; or a line's classes and their shares."""
+    with told():
+        if speed_km_h is not None:
+            check("--speed-km-h", speed_km_h, 5.0, 130.0, "km/h")
+        require_new_figure(figure)
+        if _is_line(source):
+            if speed_km_h is not None:
+                raise Refused(f"--speed-km-h {speed_km_h:g}: for cases only, a line has speeds of its own")
+            _show_line(source, vehicle, figure)
+        else:
+            if vehicle is not None:
+                raise Refused(f"--vehicle {vehicle}: for lines only, a case has a vehicle of its own")
+            _show_case(Path(source), speed_km_h, figure)
+
+
+def _is_line(source: str) -> bool:
+    """Whether the argument is a line; what is neither line nor case file is refused."""
+    from track.line.line import LINES
+
+    if source in LINES:
+        return True
+    path = Path(source)
+    known = f"known lines: {', '.join(LINES)}"
+    if path.is_dir():
+        raise Refused(f"CASE|LINE {source}: is a folder, allowed is a case file or a line's file; {known}")
+    if not path.exists():
+        raise Refused(f"CASE|LINE {source}: no such file and no known line; {known}")
+    try:
+        keys = set(tomllib.loads(path.read_bytes().decode("utf-8-sig")))
+    except OSError as error:
+        raise Refused(f"{source}: cannot be read: {error.strerror}") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise Refused(f"{source}: not valid TOML: {error}") from None
+    if not keys & (_OF_A_CASE | _OF_A_LINE):
+        raise Refused(f"{source}: neither a case file (with [track]) nor a line's file (with [length])")
+    return not keys & _OF_A_CASE
+
+
+def _show_case(path: Path, speed_km_h: float | None, figure: Path | None) -> None:
+    """Tables of a case's track, and its figure."""
+    from hh_exudyn.case import read_case
+    from track.irregularity.quality import quality_limits
+
+    case = read_case(path)
+    speed_km_h = case.speed_km_h if speed_km_h is None else speed_km_h
+    alignment = case.alignment()
+    irregular = _irregularity(case, alignment)
+    quality, why_not = _quality(irregular, alignment.length, speed_km_h / 3.6)
+    title = f"Track of {case.name} at {speed_km_h:g} km/h"
+    if case.track.centre_line is None:
+        print_table(_section_table(title, alignment, speed_km_h / 3.6))
+        if any(grade.gradient or grade.end for grade in alignment.grades):
+            print_table(_grade_table(alignment))
+    else:
+        out.print(f"{title}: {_survey_line(alignment)}", markup=False)
+    limits = quality_limits(speed_km_h / 3.6)
+    if irregular is None:
+        out.print("irregularity: none")
+    else:
+        out.print(f"irregularity: {case.track.irregularity}, {_deviations(irregular)};")
+        out.print("a run fades them in and out at both ends of that")
+    if why_not:
+        out.print(f"quality: not judged, {why_not}", markup=False)
+    if quality is not None:
+        print_table(_quality_table(quality, limits))
+        out.print(
+            "standard deviations over 100 m at wavelengths of 3 to 25 m, UIC 518; QN3 = 1.3 QN2 is assumed"
+        )
+    if figure is not None:
+        from hh_exudyn.figures.track import track_sheet
+
+        title = f"{case.name}, {speed_km_h:g} km/h, irregularity: {case.track.irregularity}"
+        write_figure(track_sheet(title, alignment, irregular, quality, limits), figure)
+
+
+def _irregularity(case: "Case", alignment: "Alignment") -> "Irregularity | None":
+    """The irregularities of a run of the case: another length would be another random track."""
+    from vehicles.start import start_front
+
+    try:
+        return case.track.irregular(start_front(case.described_vehicle()), alignment.length)
+    except ValueError as error:
+        raise Refused(str(error)) from None
+
+
+def _quality(irregular: "Irregularity | None", end: float, speed: float) -> "tuple[TrackQuality | None, str]":
+    """Quality of the sections up to the end of the track [m]; without, why there is none."""
+    from track.irregularity.quality import track_quality
+
+    if irregular is None:
+        return None, ""
+    try:
+        found = track_quality(irregular, speed)
+    except ValueError as error:
+        return None, str(error)
+    on_track = found.start + found.section_length <= end + 1e-6  # a measured file may be longer than that
+    if not on_track.any():
+        return None, f"no whole section of {found.section_length:g} m lies on the track"
+    found = replace(
+        found,
+        start=found.start[on_track],
+        deviations=found.deviations[on_track],
+        classes=found.classes[on_track],
+    )
+    return found, ""
+
+
+def _section_table(title: str, alignment: "Alignment", speed: float) -> Table:
+    """A line per section; a dash where a transition changes the number."""
+    from track.course.alignment import Curve, Straight, cant_deficiency
+
+    table = new_table(
+        title,
+        ("from [m]", "to [m]", "kind", "radius [m]", "hand", "cant [mm]", "gauge [mm]",
+         "cant\u00a0deficiency [mm]"),
+    )  # fmt: skip
+    start = 0.0
+    for section in alignment.sections:
+        end = start + section.length
+        cells = [NOTHING] * 5
+        if isinstance(section, Curve):
+            deficiency = cant_deficiency(speed, section.radius, section.cant)
+            cells = [
+                f"{section.radius:g}",
+                section.hand,
+                number(1e3 * section.cant, 1),
+                number(1e3 * section.gauge, 1),
+                number(1e3 * deficiency, 1),
+            ]
+        elif isinstance(section, Straight):
+            cells = [NOTHING, NOTHING, number(0.0, 1), number(1e3 * section.gauge, 1), number(0.0, 1)]
+        table.add_row(f"{start:.1f}", f"{end:.1f}", type(section).__name__.lower(), *cells)
+        start = end
+    return table
+
+
+def _grade_table(alignment: "Alignment") -> Table:
+    """A line per grade: where it lies, its gradient or that of both its ends, the vertical radius."""
+    table = new_table(
+        "Gradients",
+        ("from [m]", "to [m]", "from [\u2030]", "to [\u2030]", "vertical\u00a0radius [m]"),
+    )
+    from track.course.sections import Grade
+
+    start = 0.0
+    rest = alignment.length - math.fsum(grade.length for grade in alignment.grades)
+    grades = alignment.grades
+    if rest > 1e-3:  # the last gradient goes on
+        last = grades[-1].gradient if grades[-1].end is None else grades[-1].end
+        grades += (Grade(rest, last),)
+    for grade in grades:
+        end = start + grade.length
+        reached = grade.gradient if grade.end is None else grade.end
+        change = abs(reached - grade.gradient)
+        table.add_row(
+            f"{start:.1f}",
+            f"{end:.1f}",
+            number(1e3 * grade.gradient, 2),
+            number(1e3 * reached, 2),
+            f"{grade.length / change:.0f}" if change else NOTHING,
+        )
+        start = end
+    return table
+
+
+def _survey_line(alignment: "Alignment") -> str:
+    """What a line of surveyed points comes to: its cells are too many to be listed."""
+    table = alignment.table
+    turn, slope = table.curvature, 1e3 * table.gradient
+    return (
+        f"surveyed, {alignment.length:.1f} m with the approach; curvature {1e3 * turn.min():.3f} to "
+        f"{1e3 * turn.max():.3f} 1/km, left positive; cant up to {1e3 * abs(table.cant).max():.1f} mm; "
+        f"gradient {slope.min():.2f} to {slope.max():.2f} per mille"
+    )
+
+
+def _deviations(irregular: "Irregularity") -> str:
+    """Standard deviations of the four signals over the whole stretch, all wavelengths."""
+    from track.irregularity.spectra import SIGNALS
+
+    parts = [f"{name.replace('_', '-')} {1e3 * irregular.standard_deviation(name):.2f}" for name in SIGNALS]
+    end = irregular.start + irregular.length
+    return (
+        f"{irregular.start:.1f} to {end:.1f} m, standard deviations of all wavelengths: {', '.join(parts)} mm"
+    )
+
+
+def _quality_table(quality: "TrackQuality", limits: "NDArray") -> Table:
+    """A line per class: number and share of its sections, mean and largest standard deviations."""
+    from track.irregularity.quality import CLASSES
+
+    table = new_table(
+        "Quality of sections of 100 m",
+        ("class", "sections", "share [%]", "level mean [mm]", "level largest [mm]", "level\u00a0limit [mm]",
+         "alignment mean [mm]", "alignment largest [mm]", "alignment\u00a0limit [mm]"),
+    )  # fmt: skip
+    for i, name in enumerate(CLASSES):
+        own = quality.deviations[quality.classes == i]
+        cells = []
+        for j in range(2):
+            cells += [NOTHING, NOTHING]
+            if len(own):
+                cells[-2:] = [number(1e3 * own[:, j].mean(), 2), number(1e3 * own[:, j].max(), 2)]
+            cells.append(number(1e3 * limits[j, i], 2) if i < limits.shape[1] else NOTHING)
+        table.add_row(name, f"{len(own)}", number(100.0 * len(own) / len(quality.classes), 1), *cells)
+    return table
+
+
+def _show_line(source: str, vehicle: str | None, figure: Path | None) -> None:
+    """Table of a line's classes, and its figure."""
+    from track.line.line import load_sections, read_line
+
+    try:
+        line = read_line(source)
+        vehicle = vehicle or next(iter(line.speed.largest))
+        sections = load_sections(line, vehicle)
+    except (ValueError, OSError) as error:
+        raise Refused(str(error)) from None
+    title = f"{line.name}, {1e-3 * line.length:g} km, speeds of {vehicle}"
+    print_table(_class_table(title, sections, line.length))
+    out.print("share of the line; QN1 to >QN3: share of the class in each quality class")
+    if line.assumed():
+        out.print(f"assumed in the line's file: {', '.join(line.assumed())}", markup=False)
+    if figure is not None:
+        from hh_exudyn.figures.track import line_sheet
+
+        write_figure(line_sheet(title, sections), figure)
+
+
+def _class_table(title: str, sections: "tuple[TrackSection, ...]", length: float) -> Table:
+    """A line per class of radius and hand, the tightest curves first, and their sum."""
+    from track.irregularity.quality import CLASSES
+
+    table = new_table(
+        title,
+        ("class [m]", "hand", "share [%]", "length [km]", "radius [m]", "cant [mm]", "gauge [mm]",
+         "speed [km/h]", "deficiency [mm]", *(f"{name} [%]" for name in CLASSES)),
+    )  # fmt: skip
+    table.padding = (0, 0, 0, 1)  # many columns
+    classes: dict[tuple[str, str], list[TrackSection]] = {}
+    for part in sorted(sections, key=lambda part: (part.radius, part.hand)):
+        classes.setdefault((part.name, part.hand), []).append(part)
+    for (name, hand), parts in classes.items():
+        share = math.fsum(part.weight for part in parts)
+        one = parts[0]  # geometry and speed are the same all over a class
+        by_quality = (
+            math.fsum(part.weight for part in parts if part.quality == quality) / share for quality in CLASSES
+        )
+        table.add_row(
+            name,
+            NOTHING if math.isinf(one.radius) else hand,
+            number(100.0 * share, 2),
+            number(1e-3 * share * length, 2),
+            NOTHING if math.isinf(one.radius) else f"{one.radius:.0f}",
+            number(1e3 * one.cant, 1),
+            number(1e3 * one.gauge, 1),
+            number(3.6 * one.speed, 0),
+            number(1e3 * one.cant_deficiency, 1),
+            *(number(100.0 * part, 1) for part in by_quality),
+        )
+    whole = math.fsum(part.weight for part in sections)
+    table.add_row("all", "", number(100.0 * whole, 2), number(1e-3 * whole * length, 2))
+    return table

@@ -1,0 +1,228 @@
+"""The commands about vehicles: ``vehicle list``, ``show``, ``compare``. They compute nothing themselves.
+
+Everything heavy is imported inside the commands, so that ``--help`` answers at once.
+"""
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+from rich.table import Table
+
+from hh_exudyn.cli.output import (
+    NOTHING,
+    Refused,
+    new_table,
+    out,
+    print_table,
+    require_new_figure,
+    told,
+    write_figure,
+)
+
+if TYPE_CHECKING:
+    from vehicles.description import Vehicle
+    from vehicles.parameters import Difference, Parameter, ParameterSet
+    from vehicles.variants import Variant
+
+vehicle = typer.Typer(help="Look at vehicles and compare them.", no_args_is_help=True)
+
+NewDrawing = Annotated[
+    Path | None,
+    typer.Option("--figure", metavar="FILE", help="Draw side and top view into this new file."),
+]
+Source = Annotated[
+    str, typer.Argument(metavar="NAME|FILE", help="A vehicle of the catalogue, or a vehicle file (.toml).")
+]
+
+
+def register(app: typer.Typer) -> None:
+    """Give the commands of this file to the program."""
+    app.add_typer(vehicle, name="vehicle")
+
+
+@vehicle.callback()
+def _vehicle() -> None:
+    """Look at vehicles and compare them."""
+
+
+@vehicle.command(name="list")
+def list_vehicles() -> None:
+    """The vehicles of the catalogue."""
+    with told():
+        from vehicles.catalogue import VEHICLES, catalogued
+        from vehicles.catalogue import vehicle as described
+
+        table = new_table("Vehicles", ("name", "mass [t]", "wheelsets", "description"))
+        for column in (0, 3):
+            table.columns[column].justify = "left"
+        for name in VEHICLES:
+            one = described(name)
+            table.add_row(
+                name, f"{1e-3 * one.mass:.1f}", f"{len(one.wheelsets)}", catalogued(name).description
+            )
+        print_table(table)
+
+
+@vehicle.command()
+def show(source: Source, figure: NewDrawing = None) -> None:
+    """Numbers of a vehicle with their sources, masses, axle loads, and a drawing to scale."""
+    with told():
+        require_new_figure(figure, "--figure")
+        variant = _found(source)
+        described = variant.vehicle()
+        parameters = variant.parameters()
+        print_table(_parameter_table(f"Parameters of {variant.name}", parameters))
+        if variant.description:
+            out.print(f"{variant.name}: {variant.description}", markup=False)
+        out.print(_count(parameters))
+        changes = variant.differences()
+        if variant.name != variant.base:
+            out.print(f"based on {variant.base}, {_said(len(changes))}", markup=False)
+        if changes:
+            print_table(_difference_table(f"What is not as in {variant.base}", changes, variant.base))
+        print_table(_mass_table(described))
+        print_table(_axle_table(described))
+        if figure is not None:
+            from hh_exudyn.figures.vehicle import summary, vehicle_sheet
+
+            title = f"{variant.name}: {summary(described)}"
+            write_figure(vehicle_sheet(title, described), figure, "--figure")
+
+
+@vehicle.command()
+def compare(first: Source, second: Source) -> None:
+    """The numbers in which two vehicles differ."""
+    with told():
+        from vehicles.parameters import differences
+
+        one, other = _found(first), _found(second)
+        found = differences(one.parameters(), other.parameters())
+        title = f"From {one.name} to {other.name}"
+        if found:
+            print_table(_difference_table(title, found, one.name))
+        out.print(f"{title}: {_said(len(found))}", markup=False)
+
+
+def _found(source: str) -> "Variant":
+    """The vehicle of a name or file; what is neither is refused."""
+    from vehicles.variants import find_variant
+
+    try:
+        return find_variant(source)
+    except ValueError as error:
+        raise Refused(str(error)) from None
+
+
+def _said(count: int) -> str:
+    """How many numbers differ."""
+    return "1 number differs" if count == 1 else f"{count or 'no'} numbers differ"
+
+
+def _parameter_table(title: str, parameters: "ParameterSet") -> Table:
+    """A line per number, the parts one after the other; assumed and changed ones are marked."""
+    table = _text_table(title, ("part", "number", "value", "unit", "", "source"))
+    part = ""
+    for parameter in parameters.parameters:
+        own, number = parameter.name.split(".", 1)
+        if part and own != part:
+            table.add_section()
+        table.add_row(
+            "" if own == part else own,
+            number,
+            f"{parameter.value:g}",
+            parameter.unit,
+            _MARKS.get(parameter.kind, ""),
+            parameter.source,
+        )
+        part = own
+    return table
+
+
+_MARKS = {"assumed": "?", "variant": "!"}
+
+
+def _count(parameters: "ParameterSet") -> str:
+    """How many numbers are known in which way."""
+    from vehicles.parameters import KINDS, VARIANT
+
+    counts = {kind: len(parameters.of_kind(kind)) for kind in (*KINDS, VARIANT)}
+    said = [
+        f"{count} {kind}{f' ({_MARKS[kind]})' if kind in _MARKS else ''}"
+        for kind, count in counts.items()
+        if count
+    ]
+    return f"{len(parameters.parameters)} numbers: {', '.join(said)}"
+
+
+def _difference_table(title: str, found: "tuple[Difference, ...]", base: str) -> Table:
+    """A line per number that is not the same; a dash where one of the two does not have it."""
+    table = _text_table(title, ("number", "unit", f"in\u00a0{base}", "here", "source"))
+    for one in found:
+        shown = one.after or one.before
+        units = dict.fromkeys(side.unit for side in (one.before, one.after) if side is not None)
+        table.add_row(
+            one.name,
+            " / ".join(units),
+            _value(one.before),
+            _value(one.after),
+            shown.source if shown is not None and one.after is not None else NOTHING,
+        )
+    return table
+
+
+def _value(parameter: "Parameter | None") -> str:
+    return NOTHING if parameter is None else f"{parameter.value:g}"
+
+
+def _text_table(title: str, headings: tuple[str, ...]) -> Table:
+    """A table whose last column is text that goes on in the next line."""
+    table = new_table(title, headings)
+    for column, heading in zip(table.columns, headings, strict=True):
+        if heading in ("part", "number", "unit", "", "source"):
+            column.justify = "left"
+    table.columns[-1].no_wrap = False
+    table.columns[-1].overflow = "fold"
+    return table
+
+
+def _mass_table(described: "Vehicle") -> Table:
+    """A line per kind of bodies alike."""
+    table = new_table(
+        f"Masses of {described.name}, {1e-3 * described.mass:.2f} t",
+        ("body", "number", "mass [kg]", "Ix [kg m²]", "Iy [kg m²]", "Iz [kg m²]", "height [m]"),
+    )
+    table.columns[0].justify = "left"
+    counts: dict[tuple[str, float, tuple[float, ...], float], int] = {}
+    for body in described.bodies:
+        key = (body.kind, body.mass, body.inertia, body.position[2])
+        counts[key] = counts.get(key, 0) + 1
+    for (kind, mass, inertia, height), count in counts.items():
+        moments = (f"{moment:.0f}" for moment in inertia)
+        table.add_row(kind.replace("_", " "), f"{count}", f"{mass:.0f}", *moments, f"{height:.3f}")
+    return table
+
+
+def _axle_table(described: "Vehicle") -> Table:
+    """A line per wheelset: place, wheels, static load."""
+    from hh_exudyn.conventions import GRAVITY
+    from vehicles.statics import axle_loads
+
+    table = new_table(
+        "Wheelsets at rest", ("wheelset", "bogie", "x [m]", "wheels [mm]", "load [kN]", "load [t]")
+    )
+    try:
+        loads = axle_loads(described)
+    except ValueError:  # a bench vehicle may hang on its train alone
+        loads = [math.nan] * len(described.wheelsets)
+    for number, (wheelset, load) in enumerate(zip(described.wheelsets, loads, strict=True), start=1):
+        table.add_row(
+            f"{number}",
+            f"{wheelset.bogie}",
+            f"{described.body(wheelset.body).position[0]:.3f}",
+            f"{2e3 * wheelset.radius:.0f}",
+            NOTHING if math.isnan(load) else f"{1e-3 * load:.1f}",
+            NOTHING if math.isnan(load) else f"{1e-3 * load / GRAVITY:.2f}",
+        )
+    return table

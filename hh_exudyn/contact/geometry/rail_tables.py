@@ -1,0 +1,267 @@
+"""The rail of one side along the track: section by section, changing smoothly from profile to profile.
+
+Between two sections the profiles blend over a ramp of length r about the place s_c of the change,
+
+    z = (1 - w) z1 + w z2,   w = t^3 (10 - 15 t + 6 t^2),   t = (s - s_c)/r + 1/2                    (1)
+
+of points that lie alike in the track: the profiles are laid with their gauge points upon each other, to half
+a node spacing, and what is left of their difference blends too, like the gauge point itself. So the gauge
+stays what it is, nothing jumps, and outside its ramps a section has its own profile to the last digit. Along
+the ramp the search for contact takes the rail as a prism, as it is elsewhere; the slope of its surface there
+(2 mm ground off over 2 m) turns the contact frame (`surface_slope`).
+"""
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from hh_exudyn.contact.profile import Profile, gauge_point
+from hh_exudyn.contact.profiles.spline import MAX_SLOPE, spline_evaluate, spline_table, uniform_table
+from hh_exudyn.contact.types import FloatArray, RailTables, SplineTable
+from hh_exudyn.kernel import inlined_kernel, kernel
+
+CHANGE_LENGTH = 2.0  # m, assumed: over what length one rail passes into another (welded and ground)
+_PROFILE, _START, _GAUGE_POINT, _END = range(4)  # columns of `RailTables.sections`; end: middle of the change
+_Z, _SECOND, _SLOPE = range(3)  # of `RailTables.nodes`
+
+
+@dataclass(frozen=True)
+class RailCourse:
+    """The profiles of one side along the track.
+
+    Attributes
+    ----------
+    profiles : tuple of Profile
+        Of each section, in the order of the arc length.
+    changes : tuple of float
+        Arc lengths of the middles of the changes, one less than there are sections [m].
+    change_length : float
+        Length of every change, > 0 [m].
+
+    Raises
+    ------
+    ValueError
+        A profile that is no rail's, not one change between any two sections, changes that do not follow
+        each other with at least their length between, or a length that is no positive number.
+    """
+
+    profiles: tuple[Profile, ...]
+    changes: tuple[float, ...] = ()
+    change_length: float = CHANGE_LENGTH
+
+    def __post_init__(self) -> None:
+        for profile in self.profiles:
+            if profile.kind != "rail":
+                raise ValueError(f"profile {profile.name!r} is of kind {profile.kind!r}, needed: 'rail'")
+        if len(self.changes) != len(self.profiles) - 1:
+            raise ValueError(
+                f"{len(self.profiles)} profiles with {len(self.changes)} changes, allowed one change between "
+                "any two profiles"
+            )
+        if not (math.isfinite(self.change_length) and self.change_length > 0.0):
+            raise ValueError(f"change_length = {self.change_length} m, allowed a number > 0 m")
+        for one, other in pairwise((-math.inf, *self.changes)):
+            if not (math.isfinite(other) and other - one >= self.change_length):
+                raise ValueError(
+                    f"a change of rails at s = {other:g} m behind one at {one:g} m, allowed are "
+                    f"{self.change_length:g} m and more between them: one ends before the next begins"
+                )
+
+    def weights(self, s: FloatArray) -> FloatArray:
+        """How much of each section's profile lies at arc lengths s (n,) [m]: (n, sections), rows sum to 1."""
+        found = np.empty((len(s), len(self.profiles)))
+        _fill_weights(np.array(self.changes), self.change_length, np.asarray(s, dtype=np.float64), found)
+        return found
+
+    def gauge_points(self) -> FloatArray:
+        """Lateral position of each profile's gauge point in its own coordinates [m]."""
+        return np.array([gauge_point(profile) for profile in self.profiles])
+
+
+def rail_tables(course: RailCourse, smoothing: float) -> RailTables:
+    """The tables of all profiles of a course, on nodes that correspond to each other.
+
+    The tables of different profiles differ in width by some millimetres: beyond its flank (slopes above
+    `MAX_SLOPE`) a rail is continued by the parabola with which its table ends. One that ends without a flank
+    (a measured rail, cut off) cuts the others there, at least 55 mm from the gauge point (`Profile`).
+
+    Parameters
+    ----------
+    course : RailCourse
+        One side of the track.
+    smoothing : float
+        As of `profile_spline.spline_table` [m].
+    """
+    distinct: list[Profile] = []
+    rows = []
+    for profile in course.profiles:
+        same = [k for k, other in enumerate(distinct) if _equal(profile, other)]
+        rows.append(same[0] if same else len(distinct))
+        if not same:
+            distinct.append(profile)
+    points = np.array([gauge_point(profile) for profile in distinct])
+    tables = _alike([spline_table(profile, smoothing=smoothing) for profile in distinct], points)
+    kept = [i for i in range(len(rows)) if i == 0 or rows[i] != rows[i - 1]]  # no change is left of a section
+    ends = [course.changes[i - 1] for i in kept[1:]] + [math.inf]
+    return RailTables(
+        step=tables[0].step,
+        per_step=tables[0].per_step,
+        change_length=course.change_length,
+        nodes=np.stack([np.stack([table.z, table.second, table.slope]) for table in tables]),
+        bounds=np.stack([table.bounds for table in tables]),
+        sections=np.array(
+            [
+                (rows[i], tables[rows[i]].start, points[rows[i]], end)
+                for i, end in zip(kept, ends, strict=True)
+            ]
+        ),
+    )
+
+
+def with_origin(rails: RailTables, offset: float) -> RailTables:
+    """The same rails with the origin of every profile `offset` [m] outwards of half the gauge."""
+    sections = rails.sections.copy()
+    sections[:, _GAUGE_POINT] = offset
+    return rails._replace(sections=sections)
+
+
+def _equal(one: Profile, other: Profile) -> bool:
+    return np.array_equal(one.y, other.y) and np.array_equal(one.z, other.z)
+
+
+def _alike(tables: list[SplineTable], points: FloatArray) -> list[SplineTable]:
+    """The tables with as many nodes each, node by node about as far from their gauge points [m]."""
+    if len(tables) == 1:
+        return tables
+    step = tables[0].step
+    first = [round((table.start - point) / step) for table, point in zip(tables, points, strict=True)]
+    last = [begin + table.z.size - 1 for begin, table in zip(first, tables, strict=True)]
+    cut_first = [n for n, table in zip(first, tables, strict=True) if table.slope[0] < MAX_SLOPE]
+    cut_last = [n for n, table in zip(last, tables, strict=True) if table.slope[-1] > -MAX_SLOPE]
+    begin = max(cut_first, default=min(first))
+    end = min(cut_last, default=max(last))
+    return [_resized(table, n - begin, end - m) for table, n, m in zip(tables, first, last, strict=True)]
+
+
+def _resized(table: SplineTable, before: int, behind: int) -> SplineTable:
+    """A table with nodes added at its ends (along its last parabola), or taken away where negative."""
+    z, second, start = table.z, table.second, table.start
+    out = table.step * np.arange(1, max(before, 0) + 1)
+    lead = z[0] - table.slope[0] * out + 0.5 * second[0] * out**2
+    z = np.concatenate([lead[::-1], z[max(-before, 0) :]])
+    second = np.concatenate([np.full(out.size, second[0]), second[max(-before, 0) :]])
+    out = table.step * np.arange(1, max(behind, 0) + 1)
+    tail = table.z[-1] + table.slope[-1] * out + 0.5 * second[-1] * out**2
+    stop = len(z) - max(-behind, 0)
+    z = np.concatenate([z[:stop], tail])
+    second = np.concatenate([second[:stop], np.full(out.size, second[-1])])
+    return uniform_table(start - before * table.step, table.step, z, second)
+
+
+@inlined_kernel
+def rail_at(rails: RailTables, s: float) -> tuple[SplineTable, float]:
+    """The rail at arc length s [m], and y of its gauge point [m]: a section's own table, or a blend."""
+    section, share = _section_at(rails.sections, rails.change_length, s)
+    if share > 0.0:
+        return _blended(rails, section, share)
+    place = rails.sections[section]
+    k = int(place[_PROFILE])
+    nodes = rails.nodes[k]
+    table = SplineTable(
+        place[_START], rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE], rails.bounds[k]
+    )
+    return table, place[_GAUGE_POINT]
+
+
+@inlined_kernel
+def gauge_point_at(rails: RailTables, s: float) -> float:
+    """y of the gauge point of the rail at arc length s [m], in the coordinates of its profile [m]."""
+    section, share = _section_at(rails.sections, rails.change_length, s)
+    point = rails.sections[section, _GAUGE_POINT]
+    if share > 0.0:
+        point = (1.0 - share) * point + share * rails.sections[section + 1, _GAUGE_POINT]
+    return point
+
+
+@kernel
+def surface_slope(rails: RailTables, s: float, y: float) -> float:
+    """Slope dz/ds of the rail's surface along the track where its profile changes, zero elsewhere [-].
+
+    At a constant distance from the gauge point, as that lies straight on through a change: the derivative of
+    equation 1. NaN beyond the profile.
+
+    Parameters
+    ----------
+    rails : RailTables
+        Of one side.
+    s : float
+        Arc length [m].
+    y : float
+        Place on the profile there, as `rail_at` gives it [m].
+    """
+    section, share = _section_at(rails.sections, rails.change_length, s)
+    if not share > 0.0:
+        return 0.0
+    t = (s - rails.sections[section, _END]) / rails.change_length + 0.5
+    share_rate = 30.0 * (t * (1.0 - t)) ** 2 / rails.change_length
+    one, other = rails.sections[section], rails.sections[section + 1]
+    rest = 1.0 - share
+    along = y - (
+        rest * one[_START] + share * other[_START]
+    )  # from the first node, the same for both profiles
+    z, slope, _ = spline_evaluate(_from_first_node(rails, int(one[_PROFILE])), along)
+    z_other, slope_other, _ = spline_evaluate(_from_first_node(rails, int(other[_PROFILE])), along)
+    shift = (other[_GAUGE_POINT] - other[_START]) - (one[_GAUGE_POINT] - one[_START])
+    return share_rate * (z_other - z + (rest * slope + share * slope_other) * shift)
+
+
+@inlined_kernel
+def _from_first_node(rails: RailTables, k: int) -> SplineTable:
+    """A profile with the origin of y in its first node."""
+    nodes = rails.nodes[k]
+    return SplineTable(
+        0.0, rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE], rails.bounds[k]
+    )
+
+
+@inlined_kernel
+def _section_at(sections: FloatArray, length: float, s: float) -> tuple[int, float]:
+    """The section at arc length s, and how much of the next one's profile there is (w of equation 1)."""
+    section = 0
+    while section < len(sections) - 1 and s >= sections[section, _END] + 0.5 * length:
+        section += 1
+    t = (s - sections[section, _END]) / length + 0.5
+    if not t > 0.0:
+        return section, 0.0
+    share = t * t * t * (10.0 + t * (6.0 * t - 15.0))
+    if share >= 1.0:  # by rounding, just before its end
+        return section + 1, 0.0
+    return section, share
+
+
+@kernel
+def _blended(rails: RailTables, section: int, share: float) -> tuple[SplineTable, float]:
+    """Equation 1 of a section and the next. Bounds of a sum lie within the sum of the bounds."""
+    one, other = rails.sections[section], rails.sections[section + 1]
+    rest = 1.0 - share
+    nodes = rest * rails.nodes[int(one[_PROFILE])] + share * rails.nodes[int(other[_PROFILE])]
+    # where nothing is known of either, the bounds are infinite, and so is their sum
+    bounds = rest * rails.bounds[int(one[_PROFILE])] + share * rails.bounds[int(other[_PROFILE])]
+    start = rest * one[_START] + share * other[_START]
+    table = SplineTable(start, rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE], bounds)
+    return table, rest * one[_GAUGE_POINT] + share * other[_GAUGE_POINT]
+
+
+@kernel
+def _fill_weights(change: FloatArray, length: float, s: FloatArray, weights: FloatArray) -> None:
+    """`RailCourse.weights` into `weights`, (n, sections)."""
+    sections = np.full((change.size + 1, _END + 1), math.inf)
+    sections[:-1, _END] = change
+    weights[:] = 0.0
+    for i in range(s.size):
+        section, share = _section_at(sections, length, s[i])
+        weights[i, section] = 1.0 - share
+        if share > 0.0:
+            weights[i, section + 1] = share

@@ -1,0 +1,84 @@
+"""The gap between undeformed wheel and rail across a contact patch, seen in the contact plane (kernels).
+
+A non-elliptic patch is made of strips in rolling direction. What they need is the gap curve over the lateral
+coordinate s of the contact plane, taken exactly from both profiles instead of from their curvatures at one
+point: zero at the point of deepest interpenetration.
+
+All is in side coordinates, so left and right wheels give the same numbers.
+"""
+
+import math
+from typing import NamedTuple
+
+from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette
+from hh_exudyn.contact.profiles.spline import spline_evaluate
+from hh_exudyn.kernel import inlined_kernel
+
+_STEEPEST = 0.17  # cosine of 80 degrees to the contact plane: nothing further round is in the same patch
+
+
+class Minimum(NamedTuple):
+    """The point of deepest interpenetration, and what the strips around it share."""
+
+    normal: int  # a value of `non_elliptic.NORMAL_THEORIES`
+    y_wheel: float  # side coordinates [m]
+    y_rail: float
+    z_rail: float
+    cosine: float  # of the contact angle
+    sine: float
+    depth: float  # rigid interpenetration along the normal [m]
+    approach: float  # elastic approach [m]: the same less what neighbours press down
+    curvature_x: float  # A, half the sum of the curvatures in rolling direction [1/m]
+    curvature_y: float  # B, lateral
+    a: float  # Hertz's patch for them [m]
+    b: float
+    pressure: float  # [Pa]
+    shear_modulus: float  # [Pa]
+    poisson_ratio: float
+
+
+@inlined_kernel
+def gap_curve(pair: WheelRailPair, low: Minimum, y_wheel: float) -> tuple[float, float, float]:
+    """Gap and curvature at one lateral position of a contact.
+
+    From a point of the rail, the wheel is reached along the normal n of the contact plane after the distance
+    (vertical gap) / (cos(gamma) - slope sin(gamma)), with the slope of the wheel there: exact as far as the
+    wheel is straight over that distance, which is of the order of the approach.
+
+    Parameters
+    ----------
+    pair : WheelRailPair
+        Profiles and pose.
+    low : Minimum
+        The point of deepest interpenetration.
+    y_wheel : float
+        Lateral position on the wheel profile [m].
+
+    Returns
+    -------
+    s : float
+        Lateral coordinate in the contact plane from that point, towards the track centre [m].
+    gap : float
+        Interpenetration along the normal, the deepest less that here [m].
+    curvature : float
+        Half the sum of the lateral curvatures there [1/m].
+        All NaN outside the profiles and where the wheel turns away from the contact plane.
+    """
+    z_wheel, slope, second = spline_evaluate(pair.wheel, y_wheel)
+    _, py, pz, slope_wheel = silhouette(pair, y_wheel, z_wheel, slope)
+    y_rail = -pair.side * (pair.centre_y + py)
+    z_rail, slope_rail, second_rail = spline_evaluate(pair.rail, y_rail)
+    projection = low.cosine - slope_wheel * low.sine
+    if not projection > _STEEPEST:
+        return math.nan, math.nan, math.nan
+    vertical = pair.centre_z + pz - z_rail
+    wheel_square, rail_square = 1.0 + slope * slope, 1.0 + slope_rail * slope_rail
+    return (
+        (y_rail - low.y_rail) * low.cosine - (z_rail - low.z_rail) * low.sine,
+        low.depth + vertical / projection,
+        0.5
+        * (
+            second / (wheel_square * math.sqrt(wheel_square))
+            - second_rail / (rail_square * math.sqrt(rail_square))
+        ),
+    )

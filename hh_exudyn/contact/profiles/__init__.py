@@ -1,0 +1,16 @@
+"""Profiles of wheels and rails: shapes, files, measures, and the tables that kernels read.
+
+=============  ======================================================================================
+`profile`      `Profile`, a line z(y) in side coordinates, and its gauge point
+`standard`     S1002 and rail heads from their arcs
+`malmbanan`    stand-ins for the profiles of the Malmbanan line, all assumed
+`reader`       files of any format, cleaned and smoothed
+`formats`      how a format is recognised by the content of a file, and its columns
+`axes`         from the axes of a file to side coordinates
+`cleaning`     double points, steps, points out of order
+`smoothing`    the rule by which a measured profile is smoothed
+`writer`       two columns, or text like MiniProf's
+`measures`     flange height, thickness, qR and angle; rail head wear
+`spline`       a profile as a spline table for kernels
+=============  ======================================================================================
+"""

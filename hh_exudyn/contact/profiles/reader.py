@@ -1,0 +1,289 @@
+"""Profile files of any known format as profiles in side coordinates, cleaned, and smooth where they were not.
+
+The steps of `read_profile`: points in the file's axes (`profile_formats`), units and gaps, order, duplicates
+(`profile_cleaning`), wheel or rail, side coordinates (`profile_axes`), smoothing (`profile_smoothing`), loops
+and overhangs (`profile_cleaning`), cover (`profile_line`).
+"""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from hh_exudyn.contact.profiles.axes import PROTRUSION, protrusion_is_down, side_coordinates, tread
+from hh_exudyn.contact.profiles.cleaning import distinct, file_order, single_valued
+from hh_exudyn.contact.profiles.formats import RawPoints, read_points
+from hh_exudyn.contact.profiles.profile import MIN_POINTS, Profile, check_cover, check_points
+from hh_exudyn.contact.profiles.smoothing import (
+    DEVIATION_ALLOWED,
+    RIPPLE_ALLOWED,
+    Smoothed,
+    curvature_ripple,
+    smooth,
+)
+from hh_exudyn.contact.types import FloatArray
+
+SMOOTHING = ("auto", "always", "never")
+
+_MAX_POINTS = 20_000
+_LEAST_WIDTH, _LARGEST_WIDTH = 40.0, 300.0  # mm, of half a rail head to a wheel with its rim
+_WIDEST_RAIL = 90.0  # mm; heads are up to 80 mm wide, wheels from 100
+_FARTHEST = 1000.0  # mm from the file's origin
+_WIDEST_GAP = 10.0  # mm between neighbouring points
+_OTHER_UNITS = {"metres": 1000.0, "inches": 25.4, "micrometres": 0.001}
+_LEAST_DEVIATION, _LARGEST_DEVIATION = 1e-6, 0.5e-3  # m
+
+
+@dataclass(frozen=True)
+class ProfileReport:
+    """What reading a file did.
+
+    Attributes
+    ----------
+    format, kind : str
+        As found; see `profile_formats.RawPoints`.
+    points_read, points_dropped : int
+        In the file, and left out of it (duplicates; loops and overhangs where it was not smoothed).
+    mirrored, upside_down : bool
+        Whether y, z of the profile run against the file's.
+    shift_y, shift_z : float
+        Added after that [m].
+    ripple, ripple_left : float
+        `profile_smoothing.curvature_ripple` before and after [1/m].
+    smoothing : Smoothed or None
+        Cut-off and deviations where the profile was smoothed.
+    header : dict
+        What the file says of itself, key to text.
+    notes : tuple of str
+        What was done and why, in words.
+    """
+
+    format: str
+    kind: str
+    points_read: int
+    points_dropped: int
+    mirrored: bool
+    upside_down: bool
+    shift_y: float
+    shift_z: float
+    ripple: float
+    ripple_left: float
+    smoothing: Smoothed | None
+    header: dict[str, str] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class ReadProfile:
+    """A profile and how it came out of its file."""
+
+    profile: Profile
+    report: ProfileReport
+
+
+def read_wheel_profile(path: str | Path) -> Profile:
+    """Read a wheel profile: MiniProf, SIMPACK prw or two columns in millimetres, found by content.
+
+    Two columns in side coordinates (y = 0 at the running circle, 70 mm from the flange back, positive to the
+    flange; z upwards, so the flange lies at negative z) are taken as they are; ``#`` starts a comment. For
+    the others see `profile_formats`.
+
+    Raises
+    ------
+    ValueError
+        As `read_profile`.
+    """
+    return read_profile(path, "wheel").profile
+
+
+def read_rail_profile(path: str | Path, *, mirrored: bool = False) -> Profile:
+    """Read a rail profile: MiniProf, SIMPACK prr or two columns in millimetres, found by content.
+
+    Two columns in side coordinates (y positive towards the track centre, z upwards, inclination included)
+    are taken as they are, with any lateral origin; ``#`` starts a comment. For the others, and for
+    `mirrored`, see `profile_axes`.
+
+    Raises
+    ------
+    ValueError
+        As `read_profile`.
+    """
+    return read_profile(path, "rail", mirrored=mirrored).profile
+
+
+def read_profile(
+    path: str | Path,
+    kind: str | None = None,
+    *,
+    mirrored: bool = False,
+    flange_back: float | None = None,
+    smoothing: str = "auto",
+    deviation: float = DEVIATION_ALLOWED,
+) -> ReadProfile:
+    """Read a profile file of any known format, and report what was done to it.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file; its stem names the profile.
+    kind : str or None
+        ``"wheel"``, ``"rail"``, or None: what the file says, else by its width (rails up to 90 mm).
+    mirrored : bool
+        For a rail whose two sides reach 14 mm down: the gauge side is not where the format has it by habit.
+    flange_back : float or None
+        For a wheel: where the file's lateral axis has the flange back [m].
+    smoothing : str
+        ``"auto"``: where the curvature ripples (`profile_smoothing`); ``"always"``; ``"never"``.
+    deviation : float
+        How far from the points smoothing may go [m], 1 um .. 0.5 mm. What waves more than that stays: a
+        worn or dirty flange may need more.
+
+    Raises
+    ------
+    ValueError
+        A file that is missing, empty, binary, cut off, in another unit than millimetres, of the wrong kind,
+        with numbers that are not finite or lines that are no points, with gaps of more than 10 mm, or that
+        does not cover what contact needs. The message names file, line, value and what is allowed.
+    OSError
+        The file may not be read.
+    """
+    path = Path(path)
+    _check_options(kind, smoothing, deviation)
+    raw = read_points(path)
+    _check_numbers(path, raw)
+    notes = list(raw.notes)
+    y, z = _ordered(path, raw, notes)
+    kind = _kind(path, raw, kind, y, z)
+    kept = distinct(y, z)
+    if dropped := len(y) - len(kept):
+        notes.append(f"{dropped} duplicates left out")
+    if len(kept) < MIN_POINTS:
+        raise ValueError(f"profile {path}: {len(kept)} different points, at least {MIN_POINTS} needed")
+    axes = side_coordinates(path, kind, raw.format, y[kept], z[kept], mirrored, flange_back)
+    y, z = axes.y, axes.z
+
+    ripple = ripple_left = curvature_ripple(y, z)
+    smoothed = None
+    if smoothing == "always" or (smoothing == "auto" and ripple > RIPPLE_ALLOWED):
+        smoothed = smooth(y, z, deviation)
+        y, z = smoothed.y, smoothed.z
+        ripple_left = curvature_ripple(y, z)
+        notes.append(_in_words(smoothed, ripple, ripple_left))
+    kept, loops, overhangs = single_valued(y, z, _anchor(kind, y, z))
+    if loops:
+        notes.append(f"{loops} points in loops left out")
+    if overhangs:
+        notes.append(f"{overhangs} points of overhangs cut off")
+    y, z = y[kept], z[kept]
+    check_points(f"{kind} profile {path}", "point", list(range(1, len(y) + 1)), y, z)
+    shift_z = -float(np.interp(0.0, y, z)) if kind == "wheel" else -float(z.max())
+    z = z + shift_z
+    check_cover(f"{kind} profile {path}", kind, y, z)
+    report = ProfileReport(
+        format=raw.format,
+        kind=kind,
+        points_read=len(raw.y),
+        points_dropped=dropped + (0 if smoothed else loops + overhangs),
+        mirrored=axes.mirrored,
+        upside_down=axes.upside_down,
+        shift_y=axes.shift_y,
+        shift_z=shift_z,
+        ripple=ripple,
+        ripple_left=ripple_left,
+        smoothing=smoothed,
+        header=raw.header,
+        notes=tuple(notes),
+    )
+    return ReadProfile(Profile(path.stem, kind, y, z), report)
+
+
+def _check_options(kind: str | None, smoothing: str, deviation: float) -> None:
+    """The keywords of `read_profile` that do not depend on the file."""
+    if kind not in (None, "wheel", "rail"):
+        raise ValueError(f"kind = {kind!r}, allowed 'wheel', 'rail' or None")
+    if smoothing not in SMOOTHING:
+        raise ValueError(f"smoothing = {smoothing!r}, allowed {', '.join(SMOOTHING)}")
+    if not _LEAST_DEVIATION <= deviation <= _LARGEST_DEVIATION:
+        raise ValueError(f"deviation = {deviation} m, allowed {_LEAST_DEVIATION} .. {_LARGEST_DEVIATION} m")
+
+
+def _ordered(path: Path, raw: RawPoints, notes: list[str]) -> tuple[FloatArray, FloatArray]:
+    """The points in metres, in the order of the curve, without gaps."""
+    order = file_order(raw.y, raw.z)
+    if np.any(order != np.arange(len(order))):
+        notes.append("points sorted by y: the lines were shuffled")
+    y, z = 1e-3 * raw.y[order], 1e-3 * raw.z[order]
+    gaps = 1e3 * np.hypot(np.diff(y), np.diff(z))
+    if np.any(gaps > _WIDEST_GAP):
+        at = int(np.argmax(gaps > _WIDEST_GAP)) + 1
+        raise ValueError(
+            f"profile {path}, line {raw.lines[order[at]]}: y = {1e3 * y[at]:.6g} mm, z = {1e3 * z[at]:.6g} "
+            f"mm lies {gaps[at - 1]:.4g} mm from the point before, allowed {_WIDEST_GAP:g} mm"
+        )
+    return y, z
+
+
+def _anchor(kind: str, y: FloatArray, z: FloatArray) -> int:
+    """The point that surely belongs to the profile: at the running circle, or the top of a rail."""
+    return int(np.argmin(np.hypot(y, z - tread(y, z)))) if kind == "wheel" else int(np.argmax(z))
+
+
+def _in_words(smoothed: Smoothed, ripple: float, ripple_left: float) -> str:
+    """What smoothing did."""
+    return (
+        f"smoothed: curvature ripple {ripple:.3g} 1/m, left {ripple_left:.3g} 1/m; "
+        f"cut-off {1e3 * smoothed.cut_off[0]:.2g} .. {1e3 * smoothed.cut_off[1]:.2g} mm; points lie "
+        f"{1e3 * smoothed.point_rms:.4f} mm (rms), {1e3 * smoothed.point_max:.4f} mm (largest) off"
+    )
+
+
+def _check_numbers(path: Path, raw: RawPoints) -> None:
+    """Enough points, all finite, of a profile's size in millimetres."""
+    if not MIN_POINTS <= len(raw.y) <= _MAX_POINTS:
+        raise ValueError(
+            f"profile {path}: {len(raw.y)} points, at least {MIN_POINTS} needed, at most {_MAX_POINTS}"
+        )
+    for values in (raw.y, raw.z):
+        wrong = ~np.isfinite(values)
+        if wrong.any():
+            at = int(np.argmax(wrong))
+            raise ValueError(
+                f"profile {path}, line {raw.lines[at]}: not a finite number "
+                f"(y = {raw.y[at]} mm, z = {raw.z[at]} mm)"
+            )
+    farthest = int(np.argmax(np.maximum(np.abs(raw.y), np.abs(raw.z))))
+    if max(abs(raw.y[farthest]), abs(raw.z[farthest])) <= _FARTHEST:
+        width = float(np.ptp(raw.y))
+        if _LEAST_WIDTH <= width <= _LARGEST_WIDTH:
+            return
+        found = f"spans {width:.4g} mm laterally, allowed {_LEAST_WIDTH:g} .. {_LARGEST_WIDTH:g} mm"
+    else:
+        width = float(np.max(np.abs(raw.y)))
+        found = (
+            f"line {raw.lines[farthest]}: y = {raw.y[farthest]:.4g} mm, z = {raw.z[farthest]:.4g} mm, "
+            f"allowed up to {_FARTHEST:g} mm"
+        )
+    units = [name for name, factor in _OTHER_UNITS.items() if 60.0 <= width * factor <= 160.0]
+    raise ValueError(f"profile {path}: {found}" + (f"; are these {units[0]}?" if units else ""))
+
+
+def _kind(path: Path, raw: RawPoints, asked: str | None, y: FloatArray, z: FloatArray) -> str:
+    """Wheel or rail: as asked, if nothing speaks against it."""
+    if asked and raw.kind and asked != raw.kind:
+        raise ValueError(f"{asked} profile {path}: the file says that it is a {raw.kind}'s")
+    width = 1e3 * float(np.ptp(y))
+    kind = asked or raw.kind or ("rail" if width <= _WIDEST_RAIL else "wheel")
+    if kind == "rail" and width > _WIDEST_RAIL:
+        raise ValueError(
+            f"rail profile {path}: spans {width:.4g} mm laterally, allowed up to {_WIDEST_RAIL:g} mm; "
+            "is it a wheel's?"
+        )
+    down = z if protrusion_is_down(y, z) else -z
+    thirds = np.quantile(y, [0.0, 1.0]) @ np.array([[2.0, 1.0], [1.0, 2.0]]) / 3.0
+    falls = [tread(y, down) - down[part].min() for part in (y < thirds[0], y > thirds[1])]
+    if kind == "wheel" and min(falls) > PROTRUSION:
+        raise ValueError(
+            f"wheel profile {path}: falls by {1e3 * falls[0]:.3g} and {1e3 * falls[1]:.3g} mm at its two "
+            f"sides, allowed more than {1e3 * PROTRUSION:g} mm only at the flange; is it a rail's?"
+        )
+    return kind

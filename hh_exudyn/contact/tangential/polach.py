@@ -1,0 +1,129 @@
+"""Polach's formulas: creep forces without a stress field, cheap, and known to every vehicle engineer.
+
+O. Polach, A fast wheel-rail forces calculation computer code, Vehicle System Dynamics 33 supplement (1999)
+728-739; with reduced stiffness and falling friction: O. Polach, Creep forces in simulations of traction
+vehicles running on adhesion limit, Wear 258 (2005) 992-1000.
+
+The traction is assumed to grow linearly from the leading edge (gradient from Kalker's C11 and C22) up to an
+ellipsoidal bound; its sum is a closed formula of one scaled creepage. Under longitudinal or lateral creepage
+alone that is FASTSIM with the elliptic bound, summed in closed form (they agree to 1e-5). Spin acts through
+the creepage at the patch's edge, nu_y + a phi, and through a lateral force of its own with a factor for a/b.
+Known properties of the formulas, kept as published:
+
+* the slopes at zero creepage are Kalker's for longitudinal creepage alone, lateral creepage with spin, and
+  spin alone; longitudinal and lateral creepage together share one mean of C11 and C22, and longitudinal
+  creepage weakens the lateral force of spin;
+* a spin moment is not given: M_z = 0.
+
+The formulas were checked against two public implementations of the paper, which agree with Kalker's linear
+theory only with the signs and the condition |nu_y + a phi| > |nu_y| used here (one of the two has the
+condition, the other the sign, the wrong way round).
+"""
+
+import math
+
+from hh_exudyn.contact.material import STEEL, Material
+from hh_exudyn.contact.tangential.kalker import coefficients
+from hh_exudyn.contact.types import RollingPatch
+from hh_exudyn.kernel import kernel
+
+
+@kernel
+def force(patch: RollingPatch, k_adhesion: float, k_slip: float) -> tuple[float, float, float]:
+    """Creep forces on the wheel, (F_x, F_y, 0); the factors as in `polach_force`."""
+    a, b, nu_x, nu_y = patch.a, patch.b, patch.nu_x, patch.nu_y
+    spin = a * patch.phi
+    at_edge = nu_y + spin if abs(nu_y + spin) > abs(nu_y) else nu_y  # lateral creepage corrected for spin
+    total = math.hypot(nu_x, at_edge)
+    if total == 0.0:
+        return 0.0, 0.0, 0.0
+    c11, c22, c23, _ = coefficients(a / b, patch.poisson_ratio)
+    limit = patch.friction * patch.normal_force
+    creepage = math.hypot(nu_x, nu_y)
+    along, across = 0.0, 0.0
+    if creepage > 0.0:
+        stiffness = math.hypot(c11 * nu_x, c22 * nu_y) / creepage
+        # gradient of the traction over the gradient of its bound
+        scaled = 0.25 * math.pi * patch.shear_modulus * a * b * stiffness * total / limit
+        stick = k_adhesion * scaled
+        shape = 2.0 / math.pi * (stick / (1.0 + stick * stick) + math.atan(k_slip * scaled))
+        along, across = -limit * shape * nu_x / total, -limit * shape * nu_y / total
+    widening = 1.0 + 6.3 * (1.0 - math.exp(-a / b))  # of the spin force, for patches of finite length
+    scaled = 8.0 / 3.0 * patch.shear_modulus * b * math.sqrt(a * b) * c23 * abs(at_edge) / (limit * widening)
+    square = scaled * scaled
+    delta = (square - 1.0) / (square + 1.0)
+    # (1 - delta^2)^(3/2)/3 - scaled (delta^3/3 - delta^2/2 + 1/6), without the differences of nearly equal
+    # numbers: 1 - delta = 2/(square + 1), 1/6 - delta^2/2 + delta^3/3 = (1 - delta)^2 (1 + 2 delta)/6
+    gap = 2.0 / (square + 1.0)
+    shape = ((scaled * gap) ** 3) / 3.0 - scaled * gap * gap * (1.0 + 2.0 * delta) / 6.0
+    across -= 9.0 / 16.0 * limit * shape * widening * spin / total
+    return along, across, 0.0
+
+
+def polach_force(
+    a: float,
+    b: float,
+    normal_force: float,
+    nu_x: float,
+    nu_y: float,
+    phi: float,
+    friction: float,
+    material: Material = STEEL,
+    *,
+    k_adhesion: float = 1.0,
+    k_slip: float = 1.0,
+    friction_ratio: float = 1.0,
+    friction_decrease: float = 0.0,
+    speed: float = 0.0,
+) -> tuple[float, float]:
+    """Creep forces of a contaminated or strongly slipping contact (Polach 2005).
+
+    Parameters
+    ----------
+    a, b, normal_force, nu_x, nu_y, phi, friction, material
+        As in `tangential.creep_force`; `friction` is the greatest coefficient, that of no slip.
+    k_adhesion, k_slip : float
+        Reduction factors k_A and k_S of the stiffness in the area of adhesion and of slip [-],
+        0 < k_slip <= k_adhesion <= 1; 1 is a clean surface.
+    friction_ratio : float
+        Friction coefficient at infinite slip velocity over `friction`, A of the paper [-], 0..1.
+    friction_decrease : float
+        Coefficient B of the exponential decrease of friction over the slip velocity [s/m], >= 0.
+    speed : float
+        Speed V that makes creepages slip velocities [m/s], >= 0.
+
+    Returns
+    -------
+    tuple of float
+        F_x, F_y on the wheel [N].
+
+    Raises
+    ------
+    ValueError
+        If an argument is out of range.
+    """
+    for name, value, unit in (("a", a, "m"), ("b", b, "m"), ("normal_force", normal_force, "N")):
+        if not (math.isfinite(value) and value > 0.0):
+            raise ValueError(f"{name} = {value} {unit}; it must be finite and > 0 {unit}")
+    for name, value, unit in (("nu_x", nu_x, "[-]"), ("nu_y", nu_y, "[-]"), ("phi", phi, "1/m")):
+        if not math.isfinite(value):
+            raise ValueError(f"{name} = {value} {unit}; it must be finite")
+    if not (math.isfinite(friction) and friction > 0.0):
+        raise ValueError(f"friction = {friction} [-]; it must be finite and > 0")
+    if not 0.0 < k_slip <= k_adhesion <= 1.0:
+        raise ValueError(
+            f"k_slip = {k_slip}, k_adhesion = {k_adhesion} [-]; 0 < k_slip <= k_adhesion <= 1 is needed"
+        )
+    if not 0.0 <= friction_ratio <= 1.0:
+        raise ValueError(f"friction_ratio = {friction_ratio} [-]; it must lie in 0..1")
+    for name, value, unit in (("friction_decrease", friction_decrease, "s/m"), ("speed", speed, "m/s")):
+        if not (math.isfinite(value) and value >= 0.0):
+            raise ValueError(f"{name} = {value} {unit}; it must be finite and >= 0 {unit}")
+    slip_velocity = math.hypot(nu_x, nu_y) * speed
+    falling = (1.0 - friction_ratio) * math.exp(-friction_decrease * slip_velocity) + friction_ratio
+    patch = RollingPatch(
+        float(a), float(b), float(normal_force), float(nu_x), float(nu_y), float(phi), friction * falling,
+        material.shear_modulus, material.poisson_ratio,
+    )  # fmt: skip
+    force_x, force_y, _ = force(patch, float(k_adhesion), float(k_slip))
+    return float(force_x), float(force_y)

@@ -1,0 +1,9 @@
+"""Motion about the equilibrium: modes, stability, hunting.
+
+=============  ======================================================================================
+`modes`        linearisation, modes, root locus, linear critical speed
+`inertia`      mass matrix and gyroscopic moments
+`hunting`      motion in time after a disturbance, nonlinear critical speed
+`stability`    the largest time step that the explicit integration bears
+=============  ======================================================================================
+"""

@@ -1,0 +1,179 @@
+"""How curvature, cant, gauge and gradient run along the track, and the blending of their kinks.
+
+A `Course` is one quantity, piece by piece. Between the ends of a clothoid it is linear, so its RATE jumps
+there. A rate that jumps is not what a track has, and excites whatever looks at it; so every kink is blended
+over `blend` metres to both sides:
+
+    f(s) + D b [1/12 - |t|/2 + 3 t^2/4 - |t|^3/3],  t = (s - s_k) / b,  |t| < 1,  D the jump of the slope
+
+This is f smoothed by the kernel K(t) = 3/2 - 2 |t|, whose zeroth moment is 1 and whose first AND second
+moments vanish. So the blending changes neither the heading nor, but for 1e-9 m, the place of anything behind
+it: the clothoid ends where Fresnel's integrals say (at its very end, inside the blend, within D b^3 / 240,
+that is 3e-7 m for a clothoid of 20 m into R = 100 m). The bracket is cubic on either side of the kink, so
+that the cubic pieces of the kernel table hold it exactly. Its price is a rate that overshoots by 6 % of D.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from track.course.sections import SHAPES, Grade, Ramp, Section, State, Transition
+
+FloatArray = NDArray[np.float64]
+_CLOTHOID, _HELMERT, _BLOSS, _COSINE = range(len(SHAPES))
+
+
+class Course(NamedTuple):
+    """One quantity along the track in n pieces that meet without a jump."""
+
+    at: FloatArray  # (n + 1,) arc lengths of the boundaries [m]
+    first: FloatArray  # (n,) value at the beginning of each piece
+    last: FloatArray  # (n,) value at its end
+    shape: NDArray[np.int64]  # (n,) index into SHAPES
+
+
+class PlanCourses(NamedTuple):
+    """What the sections say."""
+
+    curvature: Course  # [1/m]
+    cant: Course  # height of the right rail over the left [m]
+    gauge: Course  # [m]
+
+
+def plan_courses(sections: tuple[Section, ...], lead_in: float, run_out: float) -> PlanCourses:
+    """Courses of curvature, cant and gauge, with constant pieces before s = 0 and behind the end.
+
+    Raises ValueError where something jumps or the ends of a `Transition` are not defined.
+    """
+    ends = [_ends(sections, i) for i in range(len(sections))]
+    bounds = [0.0]
+    for section in sections:
+        bounds.append(bounds[-1] + section.length)
+    for i in range(1, len(sections)):
+        for name, unit, old, new in zip(
+            ("curvature", "cant", "gauge"), ("1/m", "m", "m"), ends[i - 1][1], ends[i][0], strict=True
+        ):
+            if old != new:
+                raise ValueError(
+                    f"{name} jumps from {old:g} to {new:g} {unit} between section {i} and section {i + 1} "
+                    f"at s = {bounds[i]:g} m, allowed is 0: put a Transition between them"
+                )
+    shapes = [SHAPES.index(part.shape) if isinstance(part, Transition) else _CLOTHOID for part in sections]
+    turn, lift = ([(a[k], b[k], bounds[i + 1], shapes[i]) for i, (a, b) in enumerate(ends)] for k in range(2))
+    width: list[tuple[float, float, float, int]] = []
+    for i, (section, (a, b)) in enumerate(zip(sections, ends, strict=True)):
+        if isinstance(section, Transition) and section.gauge is not None:
+            width.append((a[2], section.gauge, bounds[i] + 0.5 * section.length, _CLOTHOID))
+            width.append((section.gauge, b[2], bounds[i + 1], _CLOTHOID))
+        else:
+            width.append((a[2], b[2], bounds[i + 1], shapes[i]))
+    return PlanCourses(*(_course(pieces, lead_in, run_out) for pieces in (turn, lift, width)))
+
+
+def grade_course(grades: tuple[Grade, ...], length: float, lead_in: float, run_out: float) -> Course:
+    """Course of the gradient; the last one goes on to the end of the track.
+
+    Raises ValueError where gradients jump, or where the grades are longer than the sections (`length`, m).
+    """
+    pieces: list[tuple[float, float, float, int]] = []
+    end = 0.0
+    for i, grade in enumerate(grades):
+        end += grade.length
+        if pieces and pieces[-1][1] != grade.gradient:
+            raise ValueError(
+                f"gradient jumps from {pieces[-1][1]:g} to {grade.gradient:g} between grade {i} and grade "
+                f"{i + 1} at s = {end - grade.length:g} m, allowed is 0: put a Grade with an end between them"
+            )
+        pieces.append((grade.gradient, grade.gradient if grade.end is None else grade.end, end, _CLOTHOID))
+    if end > length + 1e-6:
+        raise ValueError(f"length of all grades is {end:g} m, allowed is up to {length:g} m of the sections")
+    last = pieces[-1][1] if pieces else 0.0
+    if length - end > 1e-6:
+        pieces.append((last, last, length, _CLOTHOID))
+    return _course(pieces, lead_in, run_out)
+
+
+def _ends(sections: tuple[Section, ...], i: int) -> tuple[State, State]:
+    """State at the beginning and the end of section i."""
+    section = sections[i]
+    if isinstance(section, Ramp):
+        return section.states
+    if not isinstance(section, Transition):
+        return section.state, section.state
+    before = sections[i - 1] if i > 0 else None
+    behind = sections[i + 1] if i + 1 < len(sections) else None
+    if (
+        (before is None and behind is None)
+        or isinstance(before, Transition)
+        or isinstance(behind, Transition)
+    ):
+        raise ValueError(
+            f"section {i + 1} is a Transition whose ends are not defined: a Straight or Curve must "
+            "stand between two Transitions, and one alone joins nothing"
+        )
+    first = None if before is None else (before.states[1] if isinstance(before, Ramp) else before.state)
+    last = None if behind is None else (behind.states[0] if isinstance(behind, Ramp) else behind.state)
+    # at the start or the end it joins an assumed straight of the same gauge
+    straight = (0.0, 0.0, (first or last or (0.0, 0.0, 0.0))[2])
+    return first or straight, last or straight
+
+
+def _course(pieces: list[tuple[float, float, float, int]], lead_in: float, run_out: float) -> Course:
+    """Pieces (first, last, end, shape) from s = 0 on, with a constant piece before and one behind."""
+    first, last, end, shape = (list(column) for column in zip(*pieces, strict=True))
+    return Course(
+        np.array([-lead_in, 0.0, *end, end[-1] + run_out]),
+        np.array([first[0], *first, last[-1]]),
+        np.array([first[0], *last, last[-1]]),
+        np.array([_CLOTHOID, *shape, _CLOTHOID], dtype=np.int64),
+    )
+
+
+def marks(course: Course, blend: float) -> FloatArray:
+    """Arc lengths [m] between which the blended course is one cubic (or a cosine)."""
+    kink, half, _ = _kinks(course, blend)
+    middle = 0.5 * (course.at[:-1] + course.at[1:])[course.shape == _HELMERT]
+    return np.concatenate([course.at, kink - half, kink + half, middle])
+
+
+def values(course: Course, s: FloatArray, blend: float) -> tuple[FloatArray, FloatArray]:
+    """Value and slope of the blended course at increasing arc lengths s (n,)."""
+    piece = np.clip(np.searchsorted(course.at, s, side="right") - 1, 0, course.shape.size - 1)
+    length = np.diff(course.at)[piece]
+    change = (course.last - course.first)[piece]
+    part, slope = _shape(course.shape[piece], (s - course.at[piece]) / length)
+    value = course.first[piece] + change * part
+    rate = change / length * slope
+    for kink, half, jump in zip(*_kinks(course, blend), strict=True):
+        inside = slice(np.searchsorted(s, kink - half), np.searchsorted(s, kink + half, side="right"))
+        t = (s[inside] - kink) / half
+        size = np.abs(t)
+        size[size > 1.0 - 1e-9] = 1.0  # at the ends of the blend by rounding
+        # smoothed kink less the kink itself, the same to both sides: F(t) - max(t, 0); its slope is odd
+        # = 1/12 - size/2 + 3 size^2/4 - size^3/3, written with its double zero at size = 1
+        value[inside] += jump * half * (1.0 - size) ** 2 * (1.0 - 4.0 * size) / 12.0
+        rate[inside] += jump * np.where(t < 0.0, 1.0, -1.0) * (0.5 + size * (-1.5 + size))
+    return value, rate
+
+
+def _kinks(course: Course, blend: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Places of the kinks [m], half lengths of their blends [m] and jumps of the slope."""
+    length = np.diff(course.at)
+    start = _shape(course.shape, np.zeros(course.shape.size))[1]
+    end = _shape(course.shape, np.ones(course.shape.size))[1]
+    mean = (course.last - course.first) / length
+    jump = (mean * start)[1:] - (mean * end)[:-1]
+    half = np.minimum(blend, 0.25 * np.minimum(length[1:], length[:-1]))
+    kinked = np.abs(jump) > 1e-12 * np.max(np.abs(mean))
+    return course.at[1:-1][kinked], half[kinked], jump[kinked]
+
+
+def _shape(shape: NDArray[np.int64], t: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Share of the change reached at t = 0 to 1 of the length, and its derivative by t (EN 13803)."""
+    choices = [shape == kind for kind in (_HELMERT, _BLOSS, _COSINE)]
+    late = t > 0.5
+    helmert = np.where(late, 1.0 - 2.0 * (1.0 - t) ** 2, 2.0 * t**2)
+    part = [helmert, t**2 * (3.0 - 2.0 * t), 0.5 - 0.5 * np.cos(np.pi * t)]
+    slope = [np.where(late, 4.0 - 4.0 * t, 4.0 * t), 6.0 * t * (1.0 - t), 0.5 * np.pi * np.sin(np.pi * t)]
+    return np.select(choices, part, t), np.select(choices, slope, np.ones_like(t))

@@ -1,0 +1,67 @@
+"""What is known of a line as a whole: the statistics that `track.line.line_file` reads. SI units."""
+
+from dataclasses import dataclass
+
+from track.rails import GaugeRule, RailRule
+
+
+@dataclass(frozen=True)
+class TrackClass:
+    """All track of a line in one interval of radius and of one hand."""
+
+    name: str  # of the interval, "350:400"; "straight"
+    hand: str  # "left", "right" or "straight"
+    share: float  # of the line's length [-]
+    radius: float  # mean of the class, infinity for straight track [m]
+    cant: float  # mean of the class [m]
+    countries: dict[str, float]  # share of the class that lies in each country [-]
+    quality: tuple[float, float, float, float]  # share in each of `irregularity.quality.CLASSES` [-]
+
+
+@dataclass(frozen=True)
+class SpeedRule:
+    """Largest speeds: of each vehicle [m/s], and of all of them in a curve by cant deficiency [m].
+
+    Where the cant deficiency cuts the speed, it is cut to a whole multiple of `step` [m/s].
+    """
+
+    largest: dict[str, float]
+    largest_cant_deficiency: float
+    step: float
+
+
+@dataclass(frozen=True)
+class TransitionRule:
+    """How long transitions are: cant times `cant_ramp` (a ramp of 1 : cant_ramp), `shortest` at least [m]."""
+
+    cant_ramp: float
+    shortest: float
+
+    def length(self, cant: float) -> float:
+        """Length of the transition to a curve of that cant [m]."""
+        return max(self.cant_ramp * cant, self.shortest)
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line's statistics, with the source of every table of its file.
+
+    `line_quality` is the distribution of `track.irregularity.quality.CLASSES` over the whole line by another
+    measurement, None where there is none; nothing is computed from it.
+    """
+
+    name: str
+    length: float  # [m]
+    classes: tuple[TrackClass, ...]
+    speed: SpeedRule
+    transition: TransitionRule
+    gauge: GaugeRule
+    rail_inclination: float  # slope [-]
+    rails: tuple[RailRule, ...]
+    country_lengths: dict[str, float]  # [m]
+    line_quality: tuple[float, float, float, float] | None
+    sources: dict[str, str]  # table of the file: "published: ...", "derived: ..." or "assumed: ..."
+
+    def assumed(self) -> tuple[str, ...]:
+        """The tables of the line's file that hold guesses."""
+        return tuple(table for table, source in self.sources.items() if source.startswith("assumed"))

@@ -1,0 +1,8 @@
+"""What gives way under a wheelset.
+
+==============  =====================================================================================
+`sleepers`      parameter sets of tracks on sleepers, exact receptance of their rails
+`flexibility`   from sleepers to the lumped track under a wheelset, by name
+`substructure`  rails on pads on a sleeper on ballast under one wheelset: forces (kernel)
+==============  =====================================================================================
+"""

@@ -1,0 +1,136 @@
+"""The driver of a train: speed control within what drives and adhesion give, and the train behind them."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hh_exudyn.conventions import GRAVITY
+from vehicles.traction.control import Actuators, Measurement
+from vehicles.traction.effort import (
+    OverSlip,
+    SlipControl,
+    SlipLimits,
+    SpeedControl,
+    SpeedControlGains,
+    TractionEquipment,
+)
+from vehicles.traction.train import TrailingTrain, locomotive_resistance
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class DriverOrders:
+    """What the driver is told."""
+
+    set_speed: float  # [m/s]
+    braking_limit: float  # electro-dynamic, all units together [N]
+    slip_control: bool = True
+    over_slip: float = 0.0  # creepage that the first unit's wheelsets are held at, 0 for none
+    gains: SpeedControlGains = field(default_factory=SpeedControlGains)
+    slip_limits: SlipLimits = field(default_factory=SlipLimits)
+
+
+@dataclass(frozen=True)
+class DrivenUnit:
+    """The simulated locomotive as its driver sees it."""
+
+    mass: float  # [kg]
+    axles: int
+    radius: float  # of the wheels [m]
+    spin_inertia: float  # of a wheelset with its rotor [kg m^2]
+    equipment: TractionEquipment
+    coupler_stiffness: float  # between unit and train [N/m]
+
+    def losses(self, speed: float) -> float:
+        """Torque that bearings, gear and the air take from each axle at a speed [m/s], against motion [N m].
+
+        The locomotive's running resistance shared by its axles, as if the air pulled at the treads too.
+        """
+        return locomotive_resistance(speed) * self.mass * 1e-3 * self.radius / self.axles
+
+
+class Driver:
+    """Controls torques and train from sample to sample; a `control.Controller`.
+
+    All units are asked for the same effort. Those behind the simulated one are part of the train: a mass with
+    an effort. The train moves by the symplectic Euler method with the coupler force of the last sample.
+
+    Attributes
+    ----------
+    demand : effort asked of each unit, before slip control [N]
+    """
+
+    def __init__(
+        self,
+        unit: DrivenUnit,
+        train: TrailingTrain,
+        orders: DriverOrders,
+        speed: float,
+        head: float,
+        grade: float,
+    ) -> None:
+        self._unit = unit
+        self._train = train
+        self._orders = orders
+        self._units = 1 + train.locomotives
+        own = unit.mass * 1e-3 * locomotive_resistance(speed) + unit.mass * GRAVITY * grade
+        whole = own + train.resisting_force(head, speed)
+        least, most = self._bounds(speed)
+        self.demand = min(max(whole / self._units, least), most)
+        #: force of the train on the unit at the start, which leaves the unit without acceleration [N]
+        self.coupler_force = own - self.demand
+        self._place = head + self.coupler_force / unit.coupler_stiffness
+        self._speed = speed
+        mass = unit.mass + train.mass
+        self._control = SpeedControl(orders.set_speed, mass, self._units * self.demand, orders.gains)
+        self._slip_control = SlipControl(unit.axles, orders.slip_limits)
+        torque = self.demand * unit.radius / unit.axles
+        self._over_slip = None
+        if orders.over_slip > 0.0:
+            torques = np.full(unit.axles, torque)
+            self._over_slip = OverSlip(orders.over_slip, unit.radius, unit.spin_inertia, torques)
+
+    @property
+    def train_place(self) -> float:
+        """Arc length of the train's coupler head, coupler unloaded [m]."""
+        return self._place
+
+    def _bounds(self, speed: float) -> tuple[float, float]:
+        """Least and largest effort of one unit at a speed [N]."""
+        equipment = self._unit.equipment
+        brake = min(equipment.largest_brake(speed), self._orders.braking_limit / self._units)
+        return -brake, equipment.largest_effort(speed)
+
+    def act(self, measured: Measurement, actuators: Actuators, interval: float) -> None:
+        """Torques and train for the next interval [s]."""
+        unit, orders, units = self._unit, self._orders, self._units
+        least, most = self._bounds(measured.speed)
+        whole = self._control.step(
+            measured.speed, units * least, units * most, units * orders.gains.rate, interval
+        )
+        self.demand = whole / units
+        per_axle = self.demand * unit.radius / unit.axles
+        slip_measured = measured.wheel_speeds, measured.speeds
+        if self._over_slip is not None:
+            largest = most * unit.radius / unit.axles
+            torques = self._over_slip.step(*slip_measured, largest, interval)
+        elif orders.slip_control:
+            torques = per_axle * self._slip_control.step(*slip_measured, self.demand, interval)
+        else:
+            torques = np.full(unit.axles, per_axle)
+        actuators.torques[:] = torques - unit.losses(measured.speed)
+        self._move_train(measured, interval)
+        actuators.train_place = self._place
+        actuators.train_speed = self._speed
+        self._place += self._speed * interval
+
+    def _move_train(self, measured: Measurement, interval: float) -> None:
+        """M a = force of the coupler + effort of the other units - resistance - weight along the slope."""
+        train = self._train
+        if train.mass == 0.0:
+            return
+        force = -measured.coupler_force + train.locomotives * self.demand
+        force -= train.resisting_force(self._place, self._speed)
+        self._speed += force / train.mass * interval
