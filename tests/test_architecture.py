@@ -18,7 +18,7 @@ IN_SDIST = {"PKG-INFO", "setup.cfg"}  # what setuptools adds to an sdist, beside
 LINES = 400
 
 BASE = (  # everything may import these
-    "hh_exudyn", "hh_exudyn.conventions", "hh_exudyn.kernel",
+    "hh_exudyn", "hh_exudyn.arrays", "hh_exudyn.conventions", "hh_exudyn.kernel",
 )  # fmt: skip
 MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is named by its prefix
     "hh_exudyn.contact": (),
@@ -35,6 +35,7 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     ),
     "hh_exudyn.cli": PACKAGES,
     "hh_exudyn.__main__": ("hh_exudyn.cli",),
+    "hh_exudyn.arrays": (),
     "hh_exudyn.conventions": (),
     "hh_exudyn.kernel": (),
     "hh_exudyn": (),  # the package itself

@@ -6,12 +6,10 @@ by the points where they are coupled; the others as the cuboid of uniform densit
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
+from hh_exudyn.arrays import FloatArray
 from vehicles.couplings import Coupling, Vector
 from vehicles.description import Body, Vehicle
-
-FloatArray = NDArray[np.float64]
 
 RUNNING_CIRCLE = 0.75  # m, of the wheels' middle from the track's
 WHEEL_WIDTH = 0.135  # m

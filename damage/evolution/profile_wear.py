@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from damage.surface.wheel_surface import Wheel, WheelSurface
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 
 TOGETHER = ("wheel", "wheelset", "directions", "both")
 

@@ -18,9 +18,9 @@ from dataclasses import dataclass
 import numpy as np
 import pyarrow
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.profiles.measures import flange_thickness
-from hh_exudyn.contact.types import FloatArray
 
 _STEP = 0.05e-3  # m, of the lateral positions that are compared, beside the points of both profiles
 

@@ -15,10 +15,10 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from damage.evolution.profile_wear import ProfileWear
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.profiles.cleaning import arc_length
 from hh_exudyn.contact.profiles.smoothing import LONGEST_CUT_OFF, smooth
-from hh_exudyn.contact.types import FloatArray
 
 SMOOTHING = 0.05
 """Share of the largest depth that smoothing may change a depth by (mean over 1 mm): assumed. The bins of a

@@ -8,8 +8,8 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
 from damage.evolution.history import WearHistory, WearStep
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profiles.cleaning import arc_length
-from hh_exudyn.contact.types import FloatArray
 
 _COLOURS = colormaps["viridis_r"]
 _MOST_LINES = 12

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from damage.log_input.contact_states import ContactSource, contact_chunks
 from damage.material import ER7, WheelMaterial
 from damage.rcf.local import distributed_index, local_indices
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 
 _COLUMNS = (
     *("time", "vehicle", "wheelset", "side", "y_wheel", "contact_angle", "normal_force", "a", "b"),

@@ -5,7 +5,7 @@ from matplotlib import colormaps
 from matplotlib.figure import Figure
 
 from damage.rcf.ratchetting import Ratchetting, RatchettingSteel
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 
 
 def ratchetting_figure(found: Ratchetting, steel: RatchettingSteel, stress: FloatArray) -> Figure:

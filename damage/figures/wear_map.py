@@ -13,9 +13,9 @@ from damage.wear.archard import archard
 from damage.wear.batch import WearStates, wear_states
 from damage.wear.law import WearLaw
 from damage.wear.values import ARCHARD, MapValues
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.tangential.api import traction_field
-from hh_exudyn.contact.types import FloatArray
 
 _ARCHARD = archard()
 _SLOWEST = 1e-3  # left edge of the map, unless a contact slides slower on the whole [m/s]

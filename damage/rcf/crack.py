@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 from damage.rcf.local import LocalFatigue
 from damage.rcf.miner import KABO_FACTOR
 from damage.surface.lateral_grid import LateralGrid, spread
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import kernel
 
 

@@ -23,8 +23,9 @@ import pyarrow
 from numpy.typing import ArrayLike
 
 from damage.material import WheelMaterial
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.tangential.theories import FIELD_THEORIES, THEORIES, field_kernel
-from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
+from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
 _ROUNDED_UP = 1.0 + 1e-14  # so that a cell does not exceed itself by rounding

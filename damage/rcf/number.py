@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from damage.rcf.burstow import BurstowLimits, remaining
-from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import inlined_kernel, kernel
 
 COUNTED, CORRECTED, ENERGY = 0, 1, 2  # columns of the counts and, twice, of the work spaces

@@ -27,8 +27,8 @@ import numpy as np
 import pyarrow
 from numpy.typing import ArrayLike, NDArray
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.normal.subsurface import line_contact_stress
-from hh_exudyn.contact.types import FloatArray
 
 _PLACES = 401  # along x, in each of the two passes that seek the largest shear stress
 _BISECTIONS = 60

@@ -29,7 +29,7 @@ from numpy.typing import NDArray
 
 from damage.surface.lateral_grid import LateralGrid
 from damage.surface.wheel_surface import WheelSurface
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 
 APPROACHES = ("none", "burstow", "geometric")
 

@@ -16,7 +16,7 @@ import numpy as np
 import pyarrow
 from numpy.typing import ArrayLike
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 
 
 @dataclass(frozen=True)

@@ -12,8 +12,9 @@ Cerruti, where tau_xz does not depend on Poisson's ratio:
 
     tau_xz/p0 = 3/(2 pi) int p/p0 (X z^2 + mu X^2 z)/R^5 dA,     X = x - x'
 
-`tests/damage/shakedown/test_shakedown.py` integrates it again. At mu = 0 it gives the published 4.7, and it meets the
-surface branch at mu = 0.30. It is a necessary limit: no allowance is made for the other stress components.
+`tests/damage/shakedown/test_shakedown.py` integrates it again. At mu = 0 it gives the published 4.7; it
+meets the surface branch at mu = 0.30. It is a necessary limit: no allowance is made for the other stress
+components.
 """
 
 import numpy as np

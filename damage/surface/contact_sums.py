@@ -13,7 +13,8 @@ from damage.surface.lateral_grid import spread
 from damage.surface.patch_field import patch_field
 from damage.wear.strip_wear import strip_wear
 from damage.wear.values import REGIMES, LawValues
-from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import kernel
 
 _MARGIN = 0.010  # bins beyond the ends of a profile: an equivalent ellipse may hang over them [m]

@@ -21,7 +21,8 @@ from damage.parameters import parameters
 from damage.wear.jendel import JENDEL_REGIMES, JendelMap, wear_coefficient, wear_regime
 from damage.wear.law import WearLaw, require_known
 from damage.wear.values import ARCHARD, NO_RATE, REGIMES, LawValues
-from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
 DRY = JendelMap()

@@ -10,8 +10,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.tangential.api import TractionField
-from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
+from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import inlined_kernel, kernel
 
 

@@ -13,7 +13,8 @@ from damage.wear.energy import strip_energies
 from damage.wear.krause_poll import krause_poll_volume
 from damage.wear.usfd import usfd_depths, ward_depths
 from damage.wear.values import ARCHARD, BRITISH_RAIL, KRAUSE_POLL, USFD, WARD, LawValues
-from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
 

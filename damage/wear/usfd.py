@@ -22,7 +22,8 @@ from damage.wear.energy import cell_energy
 from damage.wear.law import WearLaw
 from damage.wear.rate import rate_in_regime, rate_regime, rate_values
 from damage.wear.values import NO_MAP, REGIMES, USFD, WARD, LawValues, RateValues
-from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
 _MASS = 1e-3  # [kg/m/m^2] in [ug/m/mm^2]

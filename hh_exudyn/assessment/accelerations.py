@@ -7,15 +7,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.log.store import Run
 from vehicles.description import Vehicle
-
-FloatArray = NDArray[np.float64]
 
 CAR_BODY, WHEELSET = "car_body", "wheelset"
 FRAMES = ("side_frame", "bogie_frame")  # not the motors that hang on wheelsets

@@ -31,9 +31,9 @@ from dataclasses import dataclass
 
 import numpy as np
 import pyarrow
-from numpy.typing import NDArray
 from scipy.signal import welch
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.assessment.accelerations import body_places, bogie_places, point_accelerations
 from hh_exudyn.assessment.limits import Limit, beyond_the_standards, data, limits
 from hh_exudyn.assessment.sections import AssessedSection, cut_sections
@@ -50,8 +50,6 @@ from hh_exudyn.log.store import Run
 from hh_exudyn.log.wheel_forces import WheelForces, wheel_forces
 from vehicles.description import Vehicle
 from vehicles.stored import from_json
-
-FloatArray = NDArray[np.float64]
 
 LARGEST_INTERVAL = 0.010  # s: five values in a period of 20 Hz
 _LEAST_LOAD = 0.01  # of the mean Q: what Y is divided by where a wheel is unloaded

@@ -8,10 +8,9 @@ amplitude (-3 dB) left at the cut-off after both passes.
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.signal import butter, sosfiltfilt
 
-FloatArray = NDArray[np.float64]
+from hh_exudyn.arrays import FloatArray
 
 ORDER = 4
 _TWO_PASSES = (math.sqrt(2.0) - 1.0) ** (-0.5 / ORDER)  # cut-off of one pass over that of both, low-pass

@@ -6,7 +6,8 @@ from dataclasses import dataclass, fields
 from numbers import Real
 from typing import Any
 
-from hh_exudyn.contact.types import FloatArray, Patch
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.types import Patch
 
 
 @dataclass(frozen=True)

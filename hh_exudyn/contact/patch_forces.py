@@ -20,6 +20,7 @@ some 0.05 mm, from where the deformed surfaces meet: without influence on any mo
 import math
 from typing import NamedTuple
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.friction import FrictionTable, friction_at
 from hh_exudyn.contact.geometry.rail_tables import surface_slope
 from hh_exudyn.contact.geometry.search import (
@@ -42,7 +43,6 @@ from hh_exudyn.contact.tangential.fastrip import force_on_strips
 from hh_exudyn.contact.tangential.theories import GIVEN
 from hh_exudyn.contact.types import (
     ContactForces,
-    FloatArray,
     Patch,
     RailMotion,
     RailTables,

@@ -12,6 +12,7 @@ from typing import Protocol
 import numpy as np
 from scipy.optimize import brentq
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.rail_tables import rail_at
 from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS, Y_WHEEL
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette, wheel_rail_pair
@@ -21,7 +22,7 @@ from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.contact.tangential.api import TractionField
 from hh_exudyn.contact.tangential.fastrip import field_on_strips
 from hh_exudyn.contact.tangential.strips import HALF_LENGTH, PRESSURE, STRIP_COLUMNS, WIDTH, Y
-from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch, WheelRailModel
+from hh_exudyn.contact.types import Fields, RollingPatch, WheelRailModel
 from hh_exudyn.conventions import LEFT
 
 _STEP = 0.25  # of the search for the height, over the approach

@@ -7,10 +7,8 @@ so the types live here.
 from enum import IntEnum
 from typing import Any, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
+from hh_exudyn.arrays import FloatArray
 
-FloatArray = NDArray[np.float64]
 Memory = Any  # what `kernel.memory` gives
 
 

@@ -16,6 +16,7 @@ import math
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.friction import FrictionTable
 from hh_exudyn.contact.geometry.rail_tables import RailCourse, rail_at, rail_tables
 from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
@@ -32,14 +33,7 @@ from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.profiles.spline import spline_table
 from hh_exudyn.contact.tangential.api import THEORIES
 from hh_exudyn.contact.tangential.strips import STRIP_COLUMNS
-from hh_exudyn.contact.types import (
-    ContactForces,
-    FloatArray,
-    GivenCreep,
-    RailMotion,
-    WheelRailModel,
-    WheelsetMotion,
-)
+from hh_exudyn.contact.types import ContactForces, GivenCreep, RailMotion, WheelRailModel, WheelsetMotion
 from hh_exudyn.conventions import BACK_TO_BACK, FLANGE_BACK_TO_RUNNING_CIRCLE
 from hh_exudyn.kernel import inlined_kernel
 

@@ -8,10 +8,10 @@ from collections.abc import Mapping
 import numpy as np
 from matplotlib.axes import Axes
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.functions import ContactFunctions, WheelsetFunctions
 from hh_exudyn.contact.geometry.merit import ConicityReport
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.types import FloatArray
 
 _APART_MM = 15.0  # the wheel is drawn this far above its rail
 _LABELS_APART_MM = 3.0

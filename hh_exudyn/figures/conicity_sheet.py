@@ -6,9 +6,9 @@ import numpy as np
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.merit import ConicityReport
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.figures.conicity import draw_conicity, draw_contact_positions, draw_radius_difference
 
 _STEP = 1e-3  # m, at least, between the displacements whose contact positions are joined

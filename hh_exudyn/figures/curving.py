@@ -8,9 +8,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import NullLocator, ScalarFormatter
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from hh_exudyn.arrays import FloatArray
 
 _SMALL = {"font.size": 8, "legend.fontsize": 7, "axes.titlesize": 8}
 _COLOURS = ("tab:blue", "tab:orange", "tab:green", "tab:purple", "tab:brown", "tab:cyan")

@@ -6,9 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from matplotlib import rc_context
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from hh_exudyn.arrays import FloatArray
 
 _COLUMNS = 3
 _SMALL = {"font.size": 8, "axes.titlesize": 9}

@@ -18,8 +18,8 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.patches import Ellipse
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.tangential.api import CreepForce, TractionField
-from hh_exudyn.contact.types import FloatArray
 
 _TRACTION_COLOURS, _SLIP_COLOURS = "viridis", "YlOrRd"
 _X_COLOUR, _Y_COLOUR, _MOMENT_COLOUR = "#2b5c8a", "#c2571a", "#7a7a7a"

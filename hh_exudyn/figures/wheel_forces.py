@@ -6,9 +6,8 @@ import numpy as np
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from hh_exudyn.arrays import FloatArray
 
 BINS = 30  # of each histogram
 _SMALL = {"font.size": 8, "legend.fontsize": 7, "axes.titlesize": 8}

@@ -8,12 +8,10 @@ run forwards and backwards, so that it shifts nothing in time.
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.signal import butter, sosfiltfilt, welch
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.log.store import Run
-
-FloatArray = NDArray[np.float64]
 
 _COLUMNS = ("time", "s", "vehicle", "wheelset", "side", "patch", "Q", "Y")
 

@@ -13,8 +13,8 @@ from exudyn.itemInterface import (
     ObjectRigidBody,
 )
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case import Case
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
     PARAMETERS,

@@ -9,8 +9,9 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case import Case
-from hh_exudyn.contact.types import FloatArray, Patch
+from hh_exudyn.contact.types import Patch
 from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.log.schema import CONTROL
 from hh_exudyn.multibody.model import Ledger, SystemModel, Workspace

@@ -9,8 +9,8 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case import Case
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.couplings.dispatch import coupling_forces

@@ -22,16 +22,14 @@ from enum import IntEnum
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.friction import FrictionTable
-from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, FloatArray, WheelRailModel
+from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, WheelRailModel
 from hh_exudyn.kernel import inlined_kernel
 from track.course.alignment import AlignmentTable
 from track.irregularity.table import IrregularityTable
 from track.support.substructure import TrackParameters
-
-IntArray = NDArray[np.int64]
 
 BODY_COORDINATES = 6
 TRACK_COORDINATES = 7  # per wheelset, on flexible track

@@ -4,12 +4,13 @@ import math
 
 import numpy as np
 
-from hh_exudyn.contact.types import MAX_PATCHES, FloatArray, Patch
+from hh_exudyn.arrays import FloatArray, IntArray
+from hh_exudyn.contact.types import MAX_PATCHES, Patch
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.kernel import Bundle, kernel
 from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.log.schema import CONTACT, ENERGY, MOTION
-from hh_exudyn.multibody.model import BODY_COORDINATES, IntArray, SystemModel, Workspace
+from hh_exudyn.multibody.model import BODY_COORDINATES, SystemModel, Workspace
 from hh_exudyn.multibody.system import energies
 from hh_exudyn.multibody.vectors import rotate_back, triple
 from track.course.alignment import inclined_locate

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from hh_exudyn.contact.types import FloatArray, Patch
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.types import Patch
 from hh_exudyn.kernel import Bundle
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,

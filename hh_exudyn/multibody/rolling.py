@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import brentq
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import Bundle
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,

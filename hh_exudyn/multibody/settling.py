@@ -12,7 +12,7 @@ import time
 
 import numpy as np
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.multibody.linear.inertia import masses
 from hh_exudyn.multibody.model import BODY_COORDINATES, first_track
 from hh_exudyn.multibody.rolling import RollingVehicle

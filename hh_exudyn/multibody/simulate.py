@@ -11,8 +11,8 @@ from typing import Any
 
 import exudyn as exu
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case import Case
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import Bundle
 from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.log.store import Run, open_run, write_case, write_status, write_vehicle

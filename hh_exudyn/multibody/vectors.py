@@ -2,7 +2,7 @@
 
 import math
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import kernel
 
 Triple = tuple[float, float, float]

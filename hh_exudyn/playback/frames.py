@@ -8,12 +8,10 @@ the relative pose, and both put together again give the position of the log to b
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from hh_exudyn.arrays import FloatArray
 from track.course.alignment import Alignment, inclined_frame, inclined_rotation
-
-FloatArray = NDArray[np.float64]
 
 
 class TrackFrames(NamedTuple):

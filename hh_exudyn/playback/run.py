@@ -17,11 +17,12 @@ import rerun as rr
 import trimesh
 
 from damage.material import ER7
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case import Case
 from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.log.store import Run
-from hh_exudyn.playback.frames import FloatArray, Poses, moving_frame, relative
+from hh_exudyn.playback.frames import Poses, moving_frame, relative
 from hh_exudyn.playback.layout import blueprint
 from hh_exudyn.playback.send import (
     body_poses,

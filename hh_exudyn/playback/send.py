@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from damage.shakedown import point_contact_limit
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.rail_tables import RailCourse
-from hh_exudyn.playback.frames import FloatArray, Poses, relative
+from hh_exudyn.playback.frames import Poses, relative
 from hh_exudyn.playback.layout import FRICTION_SCALE, LARGEST_FRICTION, LARGEST_PRESSURE
 from hh_exudyn.playback.shapes.meshes import shaded
 from hh_exudyn.playback.shapes.track import Piece, sleeper

@@ -10,9 +10,10 @@ from scipy.spatial.transform import Rotation
 
 from damage.rcf.surface_index import surface_fatigue_index
 from damage.shakedown import working_point
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.conventions import LEFT, RIGHT
-from hh_exudyn.playback.frames import FloatArray, Poses, track_frames
+from hh_exudyn.playback.frames import Poses, track_frames
 from track.course.alignment import Alignment
 
 QUANTITIES: Mapping[str, str] = {

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from straight_rails import no_forces, straight_rails
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.friction import FrictionTable, constant_friction
 from hh_exudyn.contact.geometry.rail_tables import rail_at
 from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
@@ -21,7 +22,6 @@ from hh_exudyn.contact.tangential.theories import FASTRIP, force_kernel
 from hh_exudyn.contact.types import (
     MAX_PATCHES,
     ContactForces,
-    FloatArray,
     Patch,
     RailMotion,
     RollingPatch,

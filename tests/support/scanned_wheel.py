@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile, wheel_profile
 from hh_exudyn.contact.profiles.cleaning import arc_length
-from hh_exudyn.contact.types import FloatArray
 
 SPACING = 0.25e-3  # m, of MiniProf points
 NOISE = 5e-6  # m, rms of a good scan

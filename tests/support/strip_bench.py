@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, wheel_rail_pair
 from hh_exudyn.contact.material import STEEL
@@ -10,7 +11,7 @@ from hh_exudyn.contact.normal.neighbours import find_patches
 from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
 from hh_exudyn.contact.profiles.spline import uniform_table
 from hh_exudyn.contact.tangential.strips import STRIP_COLUMNS
-from hh_exudyn.contact.types import FloatArray, SplineTable
+from hh_exudyn.contact.types import SplineTable
 
 RADIUS = 0.46  # m
 CURVATURES = [(0.0, 0.8), (0.0, 3.3), (-1.2, 3.3), (10.0, 80.0)]  # lateral, wheel and rail [1/m]

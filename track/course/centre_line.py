@@ -24,11 +24,11 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse.linalg import spsolve
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.conventions import GRAVITY, NOMINAL_GAUGE, RAIL_TOP_DISTANCE
 from track.course.alignment import Alignment
 from track.course.sections import CANT, Grade, Ramp, check
 
-FloatArray = NDArray[np.float64]
 _KNOTS_PER_WAVELENGTH = 20
 _STEPS = 30  # of Gauss and Newton; four to eight are used
 _CONVERGED = 1e-8  # m

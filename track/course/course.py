@@ -18,9 +18,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hh_exudyn.arrays import FloatArray
 from track.course.sections import SHAPES, Grade, Ramp, Section, State, Transition
 
-FloatArray = NDArray[np.float64]
 _CLOTHOID, _HELMERT, _BLOSS, _COSINE = range(len(SHAPES))
 
 

@@ -7,14 +7,11 @@ T is pitched with the gradient: `inclined_frame`, `inclined_rotation` and `incli
 import math
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.conventions import RAIL_TOP_DISTANCE
 from hh_exudyn.kernel import inlined_kernel, kernel
 from track.course.types import AlignmentTable, Node
 
-FloatArray = NDArray[np.float64]
 _NEWTON_STEPS = 20  # of `inclined_locate`; two or three are used from a guess some metres away
 _GAUSS_OFFSET = 0.5 * math.sqrt(0.6)  # of the outer points of three, from the middle of 0 to 1
 _GAUSS_OUTER = 5.0 / 18.0

@@ -17,9 +17,10 @@ irregularities it does not. Only the direction follows from (2): the rail's mate
 import math
 from typing import NamedTuple
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.conventions import RAIL_TOP_DISTANCE
 from hh_exudyn.kernel import inlined_kernel
-from track.course.frame import FloatArray, TrackTurn
+from track.course.frame import TrackTurn
 from track.irregularity.table import IrregularityState
 
 

@@ -4,12 +4,11 @@ import math
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from hh_exudyn.arrays import FloatArray
 from track.course.sections import check
 from track.csv_columns import read_columns
 
-FloatArray = NDArray[np.float64]
 _SEMI_MAJOR = 6378137.0  # m, WGS 84
 _FLATTENING = 1.0 / 298.257223563  # WGS 84
 _LARGEST_EXTENT = 200e3  # m: 1e5 m from its middle the tangent plane is short by 1.2e-4

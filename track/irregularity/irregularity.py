@@ -34,8 +34,8 @@ from dataclasses import dataclass, field, replace
 from typing import Self
 
 import numpy as np
-from numpy.typing import NDArray
 
+from hh_exudyn.arrays import FloatArray
 from track.irregularity.spectra import (
     SIGNALS,
     WAVELENGTHS,
@@ -46,8 +46,6 @@ from track.irregularity.spectra import (
 )
 from track.irregularity.table import IrregularityTable, irregularity_table
 from track.irregularity.wavelength_bands import band_pass
-
-FloatArray = NDArray[np.float64]
 
 BAND = (3.0, 70.0)  # m, wavelengths of random tracks by default
 POINTS_PER_WAVELENGTH = 6  # a spline's second derivative is then 9 % small, ((2 pi / 6)^2 / 12)

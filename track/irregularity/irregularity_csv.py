@@ -13,12 +13,10 @@ import re
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from hh_exudyn.arrays import FloatArray
 from track.irregularity.irregularity import Irregularity
 from track.irregularity.spectra import SIGNALS
-
-FloatArray = NDArray[np.float64]
 
 COLUMNS = ("position", *SIGNALS)
 

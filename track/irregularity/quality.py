@@ -26,10 +26,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hh_exudyn.arrays import FloatArray
 from track.irregularity.irregularity import Irregularity
 from track.irregularity.wavelength_bands import D1
-
-FloatArray = NDArray[np.float64]
 
 CLASSES = ("QN1", "QN2", "QN3", ">QN3")
 SECTION_LENGTH = 100.0  # m, the thesis's

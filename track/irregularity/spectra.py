@@ -38,9 +38,8 @@ from dataclasses import dataclass
 from importlib import resources
 
 import numpy as np
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from hh_exudyn.arrays import FloatArray
 
 SIGNALS = ("level", "alignment", "gauge", "cross_level")  # the four that a recording car gives, in this order
 WAVELENGTHS = (0.5, 300.0)  # m, between which a band may lie

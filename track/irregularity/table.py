@@ -7,12 +7,10 @@ begin and end: outside they are zero, and inside they are faded in and out (`irr
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import inlined_kernel
-
-FloatArray = NDArray[np.float64]
 
 _SIGNALS = 4
 _MARGIN = 32  # zero nodes at either end: a spline's disturbance fades by 0.27 a node, to 1e-18

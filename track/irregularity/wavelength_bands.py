@@ -8,12 +8,10 @@ both passes together have -3 dB (half the variance) at the wavelengths asked for
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.signal import butter, sosfiltfilt
 
+from hh_exudyn.arrays import FloatArray
 from track.irregularity.spectra import check_wavelengths
-
-FloatArray = NDArray[np.float64]
 
 D1 = (3.0, 25.0)  # m, EN 13848-1
 D2 = (25.0, 70.0)  # m

@@ -7,10 +7,7 @@ unchanged until the next sample.
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
-import numpy as np
-from numpy.typing import NDArray
-
-FloatArray = NDArray[np.float64]
+from hh_exudyn.arrays import FloatArray
 
 
 class Measurement(NamedTuple):

@@ -3,7 +3,6 @@
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hh_exudyn.conventions import GRAVITY
 from vehicles.traction.control import Actuators, Measurement
@@ -16,8 +15,6 @@ from vehicles.traction.effort import (
     TractionEquipment,
 )
 from vehicles.traction.train import TrailingTrain, locomotive_resistance
-
-FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,8 @@ effort is a force at the wheel treads, positive forwards; a torque is one of a w
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from hh_exudyn.arrays import FloatArray
 
 
 @dataclass(frozen=True)

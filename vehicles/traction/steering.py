@@ -8,9 +8,8 @@ rest angle of each wheelset in its bogie from the curvature, and softer axle box
 import numpy as np
 from numpy.typing import NDArray
 
+from hh_exudyn.arrays import FloatArray
 from vehicles.traction.control import Actuators, Measurement
-
-FloatArray = NDArray[np.float64]
 
 
 class Steering:

@@ -7,11 +7,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.conventions import GRAVITY
-
-FloatArray = NDArray[np.float64]
 
 LOADED_FROM = 6.0  # t per axle, above it the resistance of a loaded wagon holds
 _KGF_PER_TONNE = GRAVITY  # N per tonne for one kgf/t

@@ -20,7 +20,7 @@ import math
 import numpy as np
 from scipy.optimize import brentq
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 
 RESOLUTION = 0.1e-6  # m, of dr: below the rounding of profiles; a motion that sees no more has no conicity
 _EVEN = 1e-12  # of the table's greatest |dr|: differences of S below it (times the amplitude) are rounding

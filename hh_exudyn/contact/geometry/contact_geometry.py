@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.rigid import (
     COLUMNS,
     CONTACT_ANGLE,
@@ -25,7 +26,7 @@ from hh_exudyn.contact.geometry.rigid import (
 )
 from hh_exudyn.contact.profile import Profile, gauge_point
 from hh_exudyn.contact.profiles.spline import spline_table
-from hh_exudyn.contact.types import FloatArray, SplineTable
+from hh_exudyn.contact.types import SplineTable
 from hh_exudyn.conventions import (
     BACK_TO_BACK,
     FLANGE_BACK_TO_RUNNING_CIRCLE,

@@ -13,6 +13,7 @@ import math
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.conicity import conicity_from_radius_difference
 from hh_exudyn.contact.geometry.contact_geometry import (
     MAX_LATERAL,
@@ -24,7 +25,6 @@ from hh_exudyn.contact.geometry.contact_geometry import (
     wheelset_functions,
 )
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.types import FloatArray
 
 __all__ = [
     "CONICITY_STEP",

@@ -20,8 +20,8 @@ import math
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, gap_at
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import inlined_kernel
 
 _PER_RATIO, _PER_ROLL = 40.0, 11.0  # of equation 2

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.conicity import conicity_from_radius_difference
 from hh_exudyn.contact.geometry.functions import (
     CONICITY_STEP,
@@ -19,7 +20,6 @@ from hh_exudyn.contact.geometry.functions import (
     wheelset_functions,
 )
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.conventions import NOMINAL_GAUGE
 
 FLANGE_ANGLE = math.radians(45.0)  # rad: a contact steeper than this is one of the flange

@@ -17,9 +17,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile, gauge_point
 from hh_exudyn.contact.profiles.spline import MAX_SLOPE, spline_evaluate, spline_table, uniform_table
-from hh_exudyn.contact.types import FloatArray, RailTables, SplineTable
+from hh_exudyn.contact.types import RailTables, SplineTable
 from hh_exudyn.kernel import inlined_kernel, kernel
 
 CHANGE_LENGTH = 2.0  # m, assumed: over what length one rail passes into another (welded and ground)

@@ -9,9 +9,10 @@ import math
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, gap_at, silhouette
 from hh_exudyn.contact.profiles.spline import spline_evaluate
-from hh_exudyn.contact.types import FloatArray, SplineTable
+from hh_exudyn.contact.types import SplineTable
 from hh_exudyn.kernel import kernel
 
 # Columns of one wheel's rigid contact

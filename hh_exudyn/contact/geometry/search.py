@@ -22,10 +22,11 @@ can still fall very steeply where contact goes from the flange root to the flang
 
 import math
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.gap_interval import gap_slope_zero, least_gap, never_zero, slope_rate_bounds
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, gap_at, gap_below, silhouette
 from hh_exudyn.contact.profiles.spline import spline_evaluate
-from hh_exudyn.contact.types import MAX_PATCHES, FloatArray
+from hh_exudyn.contact.types import MAX_PATCHES
 from hh_exudyn.kernel import inlined_kernel, kernel
 
 # Columns of one contact found by `find_contacts`

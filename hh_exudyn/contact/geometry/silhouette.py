@@ -15,8 +15,9 @@ equal.
 import math
 from typing import NamedTuple
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profiles.spline import spline_evaluate
-from hh_exudyn.contact.types import FloatArray, SplineTable
+from hh_exudyn.contact.types import SplineTable
 from hh_exudyn.kernel import inlined_kernel
 
 

@@ -18,8 +18,9 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 from scipy.special import elliprd, elliprf
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import STEEL, Material
-from hh_exudyn.contact.types import FloatArray, RollingPatch
+from hh_exudyn.contact.types import RollingPatch
 from hh_exudyn.kernel import inlined_kernel
 
 _LARGEST_RATIO = 1e6  # longer over shorter semi-axis that the exact solution looks for [-]

@@ -28,6 +28,7 @@ others, there N' = 0. Two patches of the Manchester benchmark at y = 0, 10 mm ap
 
 import math
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.search import (
     APPROACH,
     CONTACT_ANGLE,
@@ -44,7 +45,7 @@ from hh_exudyn.contact.geometry.search import (
 )
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair
 from hh_exudyn.contact.normal.non_elliptic import ANALYN, edge, minimum, patch_strips, strip_at
-from hh_exudyn.contact.types import MAX_PATCHES, FloatArray
+from hh_exudyn.contact.types import MAX_PATCHES
 from hh_exudyn.kernel import kernel
 
 _FORCE = SADDLE  # columns for the normal force and for what lies beyond a cut: the saddles are then done with

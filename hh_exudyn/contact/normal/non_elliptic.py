@@ -7,6 +7,7 @@ pressure of each, here they are added up to the normal force.
 
 import math
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.search import (
     APPROACH,
     CONTACT_ANGLE,
@@ -26,7 +27,6 @@ from hh_exudyn.contact.normal.hertz import normal_contact
 from hh_exudyn.contact.normal.interpenetration import Minimum, gap_curve
 from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.contact.tangential.strips import HALF_LENGTH, PRESSURE, WIDTH, Y
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import inlined_kernel, kernel
 
 HERTZ = 0

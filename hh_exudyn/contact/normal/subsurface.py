@@ -30,8 +30,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import STEEL
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import kernel
 
 

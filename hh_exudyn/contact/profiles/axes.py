@@ -19,8 +19,8 @@ from pathlib import Path
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profiles.formats import SIMPACK
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.conventions import FLANGE_BACK_TO_RUNNING_CIRCLE, GAUGE_MEASURING_DEPTH
 
 PROTRUSION = 10e-3  # m below the tread: what is lower is a flange, or a side of a rail

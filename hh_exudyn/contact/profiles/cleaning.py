@@ -7,11 +7,8 @@ and left out; one that it does not make good is an overhang, and the profile end
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-from hh_exudyn.contact.types import FloatArray
-
-IntArray = NDArray[np.intp]
+from hh_exudyn.arrays import FloatArray, IndexArray
 
 DUPLICATE = 1e-6  # m, nearer points are one point: no instrument tells them apart
 LONGEST_LOOP = 2e-3  # m of arc length
@@ -23,7 +20,7 @@ def arc_length(y: FloatArray, z: FloatArray) -> FloatArray:
     return np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
 
 
-def file_order(y: FloatArray, z: FloatArray) -> IntArray:
+def file_order(y: FloatArray, z: FloatArray) -> IndexArray:
     """Indices that put points in the order of the curve.
 
     Points come along the curve, which may hang over, so their order is kept; unless the way through them is
@@ -34,7 +31,7 @@ def file_order(y: FloatArray, z: FloatArray) -> IntArray:
     return by_y if shuffled else np.arange(len(y))
 
 
-def distinct(y: FloatArray, z: FloatArray) -> IntArray:
+def distinct(y: FloatArray, z: FloatArray) -> IndexArray:
     """Indices of the points that lie at least `DUPLICATE` from the last one kept."""
     kept = [0]
     for i in range(1, len(y)):
@@ -43,7 +40,7 @@ def distinct(y: FloatArray, z: FloatArray) -> IntArray:
     return np.array(kept)
 
 
-def single_valued(y: FloatArray, z: FloatArray, anchor: int) -> tuple[IntArray, int, int]:
+def single_valued(y: FloatArray, z: FloatArray, anchor: int) -> tuple[IndexArray, int, int]:
     """Indices of the points that are a function z(y) around the point `anchor`.
 
     Parameters
@@ -55,7 +52,7 @@ def single_valued(y: FloatArray, z: FloatArray, anchor: int) -> tuple[IntArray, 
 
     Returns
     -------
-    kept : IntArray
+    kept : IndexArray
         Indices, y strictly increasing.
     loops, overhangs : int
         How many points were left out inside, and cut off at the ends.
@@ -67,7 +64,7 @@ def single_valued(y: FloatArray, z: FloatArray, anchor: int) -> tuple[IntArray, 
     return kept, loops_after + loops_before, cut_after + cut_before
 
 
-def _outwards(y: FloatArray, length: FloatArray) -> tuple[IntArray, int, int]:
+def _outwards(y: FloatArray, length: FloatArray) -> tuple[IndexArray, int, int]:
     """Kept indices from the first point on, the number of points in loops, the number cut off."""
     kept = [0]
     for i in range(1, len(y)):

@@ -18,7 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 
 TWO_COLUMN, SIMPACK, MINIPROF_2020, MINIPROF = "two_column", "simpack", "miniprof_2020", "miniprof"
 

@@ -19,8 +19,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import fsolve
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profiles.standard import rail_head_coordinates
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.conventions import FLANGE_BACK_TO_RUNNING_CIRCLE
 
 _STEP_MM = 0.1  # point spacing along the line

@@ -17,8 +17,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import least_squares
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profiles.profile import Profile
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.conventions import FLANGE_BACK_TO_RUNNING_CIRCLE, GAUGE_MEASURING_DEPTH
 
 FLANGE_THICKNESS_DEPTH = 0.010  # m below the tread at the running circle, EN 13715

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.conventions import GAUGE_MEASURING_DEPTH
 
 MIN_POINTS = 20

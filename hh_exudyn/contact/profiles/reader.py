@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profiles.axes import PROTRUSION, protrusion_is_down, side_coordinates, tread
 from hh_exudyn.contact.profiles.cleaning import distinct, file_order, single_valued
 from hh_exudyn.contact.profiles.formats import RawPoints, read_points
@@ -21,7 +22,6 @@ from hh_exudyn.contact.profiles.smoothing import (
     curvature_ripple,
     smooth,
 )
-from hh_exudyn.contact.types import FloatArray
 
 SMOOTHING = ("auto", "always", "never")
 

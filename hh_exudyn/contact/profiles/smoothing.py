@@ -30,8 +30,8 @@ from scipy.interpolate import CubicSpline
 from scipy.linalg import solveh_banded
 from scipy.ndimage import maximum_filter1d, uniform_filter1d
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profiles.cleaning import arc_length
-from hh_exudyn.contact.types import FloatArray
 
 RIPPLE_ALLOWED = 1.5  # 1/m
 DEVIATION_ALLOWED = 0.02e-3  # m

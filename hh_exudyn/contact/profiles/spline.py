@@ -10,8 +10,9 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.ndimage import gaussian_filter1d
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.types import FloatArray, SplineTable
+from hh_exudyn.contact.types import SplineTable
 from hh_exudyn.kernel import inlined_kernel
 
 MAX_SLOPE = 5.0  # |dz/dy| where tables end, 78.7 degrees: no wheel in service touches a steeper rail flank

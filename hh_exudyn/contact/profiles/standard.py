@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 
 _STEP_MM = 0.1  # point spacing; the arcs deviate from their chords by R13: 0.1 um
 

@@ -17,9 +17,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.tangential.theories import FIELD_THEORIES, THEORIES, field_kernel, force_kernel
-from hh_exudyn.contact.types import Fields, FloatArray, RollingPatch
+from hh_exudyn.contact.types import Fields, RollingPatch
 
 _MOST_CELLS = 2000  # each way: more than any stress field needs, and still a second
 

@@ -32,6 +32,7 @@ import math
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.tangential.fastrip_theory import Rolling, prepare, rolling_strips
 from hh_exudyn.contact.tangential.fastsim_march import march_cell
 from hh_exudyn.contact.tangential.strips import (
@@ -58,7 +59,7 @@ from hh_exudyn.contact.tangential.strips import (
     load_strips,
     scale_slip,
 )
-from hh_exudyn.contact.types import Fields, FloatArray, Memory, RollingPatch
+from hh_exudyn.contact.types import Fields, Memory, RollingPatch
 from hh_exudyn.kernel import kernel, memory, shaped
 
 _TINY = 1e-300  # keeps 0/0 from happening; far below every square that occurs [-]

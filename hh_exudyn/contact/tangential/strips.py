@@ -14,8 +14,9 @@ the compiler makes vector instructions of them.
 
 import math
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.normal.hertz import peak_pressure
-from hh_exudyn.contact.types import FloatArray, Memory, RollingPatch
+from hh_exudyn.contact.types import Memory, RollingPatch
 from hh_exudyn.kernel import inlined_kernel, kernel, shaped
 
 # columns of a strip, and first rows of a block's state

@@ -18,10 +18,10 @@ from importlib.resources import as_file, files
 import numpy as np
 from scipy.interpolate import RegularGridInterpolator
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import Material
 from hh_exudyn.contact.tangential.api import cell_areas, creep_force, traction_field
 from hh_exudyn.contact.tangential.theories import FIELD_THEORIES
-from hh_exudyn.contact.types import FloatArray
 
 CELLS = (50, 50)  # cells along and strips across that the theories are run with
 _DATA = files("hh_exudyn") / "data" / "validation"

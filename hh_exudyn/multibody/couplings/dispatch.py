@@ -5,7 +5,7 @@ moment act on B there, and their opposites on A at the same place, so that no co
 themselves: `general_couplings` and `bogie_couplings`.
 """
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import inlined_kernel, kernel
 from hh_exudyn.multibody.couplings.general import axle_box, bump_stop, bushing, pad, rod
 from hh_exudyn.multibody.couplings.three_piece_bogie import nest, plate, side_bearer, wedge

@@ -6,7 +6,7 @@ lost to the ledger, and returns the force on B, and a moment where it has one.
 
 import math
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import inlined_kernel
 from hh_exudyn.multibody.model import Ledger, Workspace
 from hh_exudyn.multibody.vectors import Triple, rotate_back

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import inlined_kernel
 from hh_exudyn.multibody.couplings.general import shear_friction
 from hh_exudyn.multibody.model import Ledger, Workspace

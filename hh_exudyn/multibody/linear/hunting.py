@@ -8,7 +8,7 @@ from typing import Any
 import exudyn as exu
 import numpy as np
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import Bundle
 from hh_exudyn.multibody.assembly import explicit_settings, exudyn_system
 from hh_exudyn.multibody.linear.modes import LinearVehicle

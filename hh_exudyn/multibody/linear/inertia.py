@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hh_exudyn.contact.types import FloatArray
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.multibody.model import BODY_COORDINATES, SystemModel, coordinates, first_creep, first_track
 
 

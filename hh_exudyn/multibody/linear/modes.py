@@ -13,12 +13,11 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
+from hh_exudyn.arrays import ComplexArray, FloatArray
 from hh_exudyn.case import Case
 from hh_exudyn.contact.friction import constant_friction
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.kernel import Bundle
 from hh_exudyn.multibody.assembly import assemble, shortest_transition
 from hh_exudyn.multibody.equilibrium import Equilibrium, equilibrium
@@ -33,8 +32,6 @@ from hh_exudyn.multibody.model import (
 )
 from hh_exudyn.multibody.system import evaluate_bundle
 from vehicles.description import Vehicle
-
-ComplexArray = NDArray[np.complex128]
 
 LOWEST_FREQUENCY = 0.05  # Hz, below it the train that pulls, and motions that nothing holds
 HIGHEST_FREQUENCY = 50.0  # Hz, above it the contact springs, and rails on the way of the creepage

@@ -8,7 +8,8 @@ from itertools import pairwise
 import numpy as np
 import trimesh
 
-from hh_exudyn.playback.shapes.meshes import Colour, FloatArray, bar, box, coil, joined, loft, turned
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.playback.shapes.meshes import Colour, bar, box, coil, joined, loft, turned
 from vehicles.description import Body, Vehicle
 from vehicles.outline import FLOOR_GAP, body_box, coupling_ends
 

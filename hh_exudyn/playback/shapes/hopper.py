@@ -6,8 +6,9 @@ Built in the drawing frame (x forward from the wagon's middle, y left, z up from
 import numpy as np
 import trimesh
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.playback.shapes.dimensions import WagonDimensions
-from hh_exudyn.playback.shapes.meshes import Colour, FloatArray, bar, box, joined, loft, plate
+from hh_exudyn.playback.shapes.meshes import Colour, bar, box, joined, loft, plate
 
 SHEET: Colour = (116, 122, 130)
 LINING: Colour = (128, 108, 98)

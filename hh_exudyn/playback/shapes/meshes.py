@@ -10,7 +10,8 @@ import numpy as np
 import trimesh
 from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from hh_exudyn.arrays import FloatArray
+
 Colour = tuple[int, int, int]
 
 CREASE_ANGLE = np.radians(38.0)  # faces that meet at more than this keep a sharp edge

@@ -9,10 +9,11 @@ import numpy as np
 import trimesh
 from scipy.spatial.transform import Rotation
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT, RIGHT
-from hh_exudyn.playback.frames import FloatArray, Poses, TrackFrames, relative, single, track_frames, upright
+from hh_exudyn.playback.frames import Poses, TrackFrames, relative, single, track_frames, upright
 from hh_exudyn.playback.shapes.meshes import Colour, box, joined, loft, resampled
 from track.course.alignment import Alignment
 

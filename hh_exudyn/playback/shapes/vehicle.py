@@ -8,11 +8,11 @@ are turned from their profile with their true radius. No dynamics reads shapes.
 import numpy as np
 import trimesh
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.playback.shapes.boxy import bogie_frame, car_body, motor, plain_box
 from hh_exudyn.playback.shapes.dimensions import WagonDimensions, is_ore_wagon, wagon_dimensions
 from hh_exudyn.playback.shapes.hopper import hopper, ore_heap
-from hh_exudyn.playback.shapes.meshes import FloatArray
 from hh_exudyn.playback.shapes.three_piece_bogie import bolster, side_frame
 from hh_exudyn.playback.shapes.wheelset import wheelset_shape
 from vehicles.description import Body, Vehicle

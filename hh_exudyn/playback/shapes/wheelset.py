@@ -3,8 +3,9 @@
 import numpy as np
 import trimesh
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.conventions import LEFT, RIGHT
-from hh_exudyn.playback.shapes.meshes import Colour, FloatArray, box, joined, resampled, turned, turned_ring
+from hh_exudyn.playback.shapes.meshes import Colour, box, joined, resampled, turned, turned_ring
 from vehicles.outline import RUNNING_CIRCLE, WHEEL_WIDTH
 
 AXLE: Colour = (120, 116, 112)

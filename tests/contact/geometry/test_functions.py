@@ -17,6 +17,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from manchester_rail import manchester_rail
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.conicity import conicity_from_radius_difference
 from hh_exudyn.contact.geometry.functions import (
     contact_functions,
@@ -37,7 +38,6 @@ from hh_exudyn.contact.profile import (
     read_wheel_profile,
     wheel_profile,
 )
-from hh_exudyn.contact.types import FloatArray
 from hh_exudyn.conventions import LEFT, RIGHT
 
 REFERENCE = Path(__file__).parents[2] / "reference"

@@ -8,6 +8,7 @@ import math
 import numpy as np
 import pytest
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.conicity import conicity_from_radius_difference
 from hh_exudyn.contact.geometry.functions import ContactFunctions, contact_functions, contiguous
 from hh_exudyn.contact.profile import (
@@ -20,7 +21,6 @@ from hh_exudyn.contact.profile import (
 from hh_exudyn.contact.profiles.malmbanan import LINE_RAILS, LINE_WHEELS
 from hh_exudyn.contact.profiles.measures import flange_height, flange_steepness, flange_thickness
 from hh_exudyn.contact.profiles.spline import spline_table
-from hh_exudyn.contact.types import FloatArray
 
 RADIUS = 0.457  # m; the statements do not depend on it
 INCLINATION = 1 / 30  # thesis, Fig. 1-12
