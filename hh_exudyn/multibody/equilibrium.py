@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import least_squares
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.multibody.model import SystemModel, Workspace
 from hh_exudyn.multibody.remaining import remaining_force
 from hh_exudyn.multibody.rolling import LENGTH_SCALE, NoEquilibrium, RollingVehicle
