@@ -10,7 +10,7 @@ from made_up_run import made_up_run
 from typer.testing import CliRunner, Result
 
 from hh_exudyn.assessment.report import assess
-from hh_exudyn.cli import app
+from hh_exudyn.cli.app import app
 from hh_exudyn.log.store import Run
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner, Result
 
-from hh_exudyn.cli import app
+from hh_exudyn.cli.app import app
 from hh_exudyn.contact.geometry.functions import equivalent_conicity, rolling_radius_difference
 from hh_exudyn.contact.profile import Profile, rail_profile, read_rail_profile, wheel_profile
 from hh_exudyn.contact.tangential.api import creep_force

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner, Result
 
-from hh_exudyn.cli import app
+from hh_exudyn.cli.app import app
 from track.irregularity.irregularity import random_irregularity
 from track.irregularity.quality import track_quality
 from vehicles.catalogue import vehicle

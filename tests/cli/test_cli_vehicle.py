@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner, Result
 
-from hh_exudyn.cli import app
+from hh_exudyn.cli.app import app
 from vehicles.catalogue import VEHICLES
 from vehicles.parameters import load_parameters
 
