@@ -5,9 +5,10 @@ from the logs alone; playback and figures show both. Read in this order:
 
 =============================  ====================================================================
 `hh_exudyn.conventions`        frames, signs, units
+`hh_exudyn.glossary`           terms and symbols
 `hh_exudyn.case`               what a run is: vehicle, track, speed, friction, profiles, models
-`hh_exudyn.case.line`          cases from the sections of a line: geometry, rails, gauge, speed
-`vehicles`, `track`            descriptions of the wagon and of the line; force laws without Exudyn
+`vehicles`                     descriptions of wagons and locomotives, friction laws, drives and trains
+`track`                        course, irregularities, rails, friction, flexibility; a whole line
 `hh_exudyn.contact`            one wheel on one rail: profiles, geometry, patches, creep forces
 `hh_exudyn.multibody`          the only importer of Exudyn: assembly, equilibrium, `simulate(case)`
 `hh_exudyn.log`                contact log, motion log and energy ledger as Parquet
@@ -15,7 +16,8 @@ from the logs alone; playback and figures show both. Read in this order:
 `hh_exudyn.assessment`         forces and accelerations of a run after UIC 518 / EN 14363
 `hh_exudyn.playback`           rerun recordings and headless pictures
 `hh_exudyn.figures`            figures of patches, conicity, tracks, vehicles, forces, assessment, curving
-`hh_exudyn.cli.app`                the command ``hh-exudyn``
+`hh_exudyn.cli`                the command ``hh-exudyn``
+`hh_exudyn.kernel`             the only door to numba; `hh_exudyn.arrays` names array types
 =============================  ====================================================================
 
 The package itself imports nothing, so that a kernel costs only what it needs.

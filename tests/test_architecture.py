@@ -13,12 +13,14 @@ import pytest
 from source_tree import PACKAGES, git, imports_of, modules_of, project_files
 
 ROOT = Path(__file__).resolve().parents[1]
-TOP_LEVEL = {*PACKAGES, "tests", "examples", "pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md"}
+TOP_LEVEL = {
+    *PACKAGES, "tests", "examples", "pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md", "CONTRIBUTING.md",
+}  # fmt: skip
 IN_SDIST = {"PKG-INFO", "setup.cfg"}  # what setuptools adds to an sdist, beside its egg-info
 LINES = 400
 
 BASE = (  # everything may import these
-    "hh_exudyn", "hh_exudyn.arrays", "hh_exudyn.conventions", "hh_exudyn.kernel",
+    "hh_exudyn", "hh_exudyn.arrays", "hh_exudyn.conventions", "hh_exudyn.glossary", "hh_exudyn.kernel",
 )  # fmt: skip
 MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is named by its prefix
     "hh_exudyn.contact": (),
@@ -37,6 +39,7 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "hh_exudyn.__main__": ("hh_exudyn.cli",),
     "hh_exudyn.arrays": (),
     "hh_exudyn.conventions": (),
+    "hh_exudyn.glossary": (),
     "hh_exudyn.kernel": (),
     "hh_exudyn": (),  # the package itself
 }  # fmt: skip
