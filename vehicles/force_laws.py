@@ -30,6 +30,7 @@ from hh_exudyn.kernel import kernel
 
 _NEWTON_STEPS = 30
 _NEWTON_TOLERANCE = 1e-12  # of the friction bound
+_NO_BOUND = 1e-100  # of the trial force, below it Newton's numbers would leave the range of floats
 
 
 @kernel
@@ -126,7 +127,8 @@ def dry_friction(
         slider_w = w - left_w * (w - slider_w)
     damper_u = damping_u * rate_u
     damper_w = damping_w * rate_w
-    if (spring_u + damper_u) ** 2 + (spring_w + damper_w) ** 2 > bound * bound:
+    whole_u, whole_w = spring_u + damper_u, spring_w + damper_w
+    if whole_u * whole_u + whole_w * whole_w > bound * bound:
         share = _damper_share(spring_u, spring_w, damper_u, damper_w, bound, 0.0)
         damper_u *= share
         damper_w *= share
@@ -145,7 +147,7 @@ def _left_of_stretch(
     share is bound / magnitude.
     """
     magnitude = math.hypot(spring_u, spring_w)
-    if stiffness_u == stiffness_w or not bound > 0.0:
+    if stiffness_u == stiffness_w or not bound > _NO_BOUND * magnitude:
         return bound / magnitude, bound / magnitude
     slip = 0.0  # over force [m/N]
     left_u, left_w = 1.0, 1.0
