@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from vehicles.force_laws import dry_friction, wedge
@@ -30,6 +30,7 @@ legs = st.tuples(
 )
 paths = st.lists(legs, min_size=1, max_size=12)
 HALF_A_MILLIMETRE = 5e-4
+compiles_first = settings(deadline=None)  # the first example has the kernel compiled
 
 
 def steps(path):
@@ -64,6 +65,7 @@ def test_a_fast_step_stretches_the_spring_by_its_way_only():
 
 @example(4e7, 4e7, 8e4, 8e4, 1e4, back_and_forth(4e-4, 0.053e-3))
 @example(1e7, 6e6, 2e4, 3e6, 1e4, across_and_back(1e-3))
+@compiles_first
 @given(stiffnesses, stiffnesses, dampings, dampings, bounds, paths)
 def test_no_path_gets_energy_out_of_dry_friction(k_u, k_w, d_u, d_w, largest, path):
     """From a relaxed slider, at every step: what was put in is at least what the spring holds.
@@ -82,6 +84,7 @@ def test_no_path_gets_energy_out_of_dry_friction(k_u, k_w, d_u, d_w, largest, pa
 
 @example(4e7, 8e4, 0.6, back_and_forth(4e-4, 0.053e-3))
 @example(4e7, 8e4, 0.6, across_and_back(4e-4))
+@compiles_first
 @given(stiffnesses, dampings, st.floats(0.0, 0.7), paths)
 def test_no_path_gets_energy_out_of_a_wedge(stiffness, damping, largest, path):
     """As of dry friction; the bound goes with the control spring, the friction itself, and the coefficient.
@@ -104,6 +107,8 @@ def test_no_path_gets_energy_out_of_a_wedge(stiffness, damping, largest, path):
 
 
 @example(0.015625, 0.0, 0.0, 0.0, -1.0, 0.0, 1e7, 6e6, 2e4, 3e4, 1.0)
+@example(0.01, 0.01, 0.0, 0.0, 0.0, 0.0, 1e3, 1e4, 0.0, 0.0, 1e-200)
+@compiles_first
 @given(
     places, places, places, places, rates, rates, stiffnesses, stiffnesses, dampings, dampings, bounds
 )  # fmt: skip
@@ -144,6 +149,7 @@ def check_damper(taken, damper, magnitude, bound, tolerance):
         assert magnitude == pytest.approx(bound, rel=1e-6, abs=math.sqrt(tolerance * bound) + tolerance)
 
 
+@compiles_first
 @given(
     st.floats(1e-3, 0.08), places, st.floats(-0.08, 0.08), places, rates, rates, stiffnesses, dampings,
     st.floats(0.0, 0.7),

@@ -45,11 +45,11 @@ def shear_friction(
     slider: FloatArray,
     settle: bool,
     new_slider: FloatArray,
+    work: Workspace,
 ) -> tuple[float, float]:
     """Dry friction (`force_laws.dry_friction`) of two horizontal faces on each other, in x and y.
 
     Its slider is the first two numbers of the coupling's; with `settle` the faces stick whatever their load.
-    The ledger is left to the caller: handing `work` on made all couplings three times slower.
     """
     force_x, force_y, new_slider[0], new_slider[1] = dry_friction(
         d[0],
@@ -64,6 +64,7 @@ def shear_friction(
         damping[1],
         math.inf if settle else bound,
     )
+    work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1]
     return force_x, force_y
 
 
@@ -86,8 +87,9 @@ def axle_box(
     spring = stiffness[2] * max(d[2], 0.0)
     load = max(spring + damping[2] * v[2], 0.0) if d[2] > 0.0 else 0.0
     work.ledger[_DAMPER] += (load - spring) * v[2]
-    force_x, force_y = shear_friction(d, v, stiffness, damping, friction * load, slider, settle, new_slider)
-    work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1]
+    force_x, force_y = shear_friction(
+        d, v, stiffness, damping, friction * load, slider, settle, new_slider, work
+    )
     axle = rotate_back(rotation_a, (rotation_b[0, 1], rotation_b[1, 1], rotation_b[2, 1]))
     return (
         (

@@ -153,6 +153,7 @@ def plate(
         slider,
         settle,
         new_slider,
+        work,
     )
     # two thirds of the radius: friction torque of a uniformly loaded flat disc
     arm = 2.0 / 3.0 * radius
@@ -169,7 +170,7 @@ def plate(
         stick_damping * arm**2,
         math.inf if settle else friction * load * arm,
     )
-    work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1] + torque * turn[2]
+    work.ledger[_FRICTION] -= torque * turn[2]
     shear = math.hypot(d[0], d[1])
     if shear > rim_clearance:
         rim = -rim_stiffness * (shear - rim_clearance) / shear
@@ -206,6 +207,6 @@ def side_bearer(
         slider,
         settle,
         new_slider,
+        work,
     )
-    work.ledger[_FRICTION] -= force_x * v[0] + force_y * v[1]
     return force_x, force_y, load
