@@ -41,7 +41,7 @@ class WheelsetSummary:
     y_over_q
         Ratio of these means [-]; NaN without vertical force.
     angle_of_attack
-        Mean yaw to the track, positive to the left [rad].
+        Mean yaw to the rails, positive to the left [rad].
     lateral
         Mean lateral position, positive to the left [m].
     p_max

@@ -237,7 +237,7 @@ class ContactCase(CaseTable):
 
     The default of d is assumed: at 150 kN it is a damper of 45 kN s/m, 5 % of critical for the 150 kg of a
     rail on a contact spring of 1.7 GN/m. With 32 cells along each of 16 strips the lateral wheel forces of
-    the demo are within 0.5 % of those with 50 x 50 cells and half the step; strips in eights fill the vector
+    the demo are within 0.6 % of those with 50 x 50 cells and half the step; strips in eights fill the vector
     registers. With the theory "given" profiles, coefficients and conicity are those that the vehicle states.
     """
 

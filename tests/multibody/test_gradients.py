@@ -97,7 +97,7 @@ def test_the_coupler_lifts_the_wagon_over_a_vertical_curve(demo, runs):
 def test_a_canted_curve_on_a_slope_is_steady_as_statics_say(demo, runs):
     """Left-hand curve on 8 per mille: Y, Q and the coupler's force in track axes.
 
-    Y within 1 %, which is a sway at 0.8 Hz that dies away. What the roll of the curve entry does to the
+    Y within 1 %, which is a sway at 1.4 Hz that dies away. What the roll of the curve entry does to the
     springs counts: a wedge resists going down by mu/(tan - mu) of its spring force and going up by only
     mu/(tan + mu), so a wagon that rolls to and fro comes to rest some millimetres higher.
     """

@@ -30,7 +30,7 @@ def largest(run: Run, wheelset: int, side: int) -> tuple[float, float, float]:
 
 
 def test_the_order_of_figure_3_20_on_the_leading_outer_wheel(demo_run: Run) -> None:
-    """Near saturation, Q/P = .38: global < FaStrip < FASTSIM; measured .288, .307, .330."""
+    """Near saturation, Q/P = .38: global < FaStrip < FASTSIM; measured .286, .305, .329."""
     spread, fastrip, fastsim = largest(demo_run, 1, -1)
     assert 0.2 < spread < fastrip < fastsim < 0.4
     assert fastrip - spread > 0.01

@@ -31,10 +31,10 @@ def values_at(demo, speed_km_h):
     return eigenvalues(model, work, equilibrium(wagon, model, work))
 
 
-@pytest.mark.parametrize(("speed_km_h", "step"), [(10.0, 0.45e-3), (60.0, 0.5e-3), (130.0, 0.5e-3)])
-def test_the_wagon_bears_every_step_of_a_case(demo, speed_km_h, step):
-    """Up to the longest that a case may have; at a crawl 0.5 ms are refused, 0.4 ms are the default."""
-    assert MARGIN * largest_stable_step(values_at(demo, speed_km_h)) >= step
+@pytest.mark.parametrize("speed_km_h", [5.0, 10.0, 60.0, 130.0])
+def test_the_wagon_bears_every_step_of_a_case(demo, speed_km_h):
+    """Up to the longest that a case may have, 0.5 ms: 0.56 ms at a crawl, 0.53 and 0.52 ms faster."""
+    assert MARGIN * largest_stable_step(values_at(demo, speed_km_h)) >= 0.5e-3
 
 
 def test_the_loaded_wagon_moves_as_ore_wagons_do(demo):
