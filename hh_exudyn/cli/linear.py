@@ -1,12 +1,15 @@
-"""The commands of linear analysis: ``modes`` and ``critical-speed``. They compute nothing themselves.
+"""The commands ``modes`` and ``critical-speed``, linear and nonlinear. They compute nothing themselves.
 
 Everything heavy is imported inside the commands, so that ``--help`` answers at once.
 """
 
+import math
+import time as clock
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 from hh_exudyn.cli.output import (
     STOPPED,
@@ -26,8 +29,10 @@ from hh_exudyn.cli.output import (
 
 if TYPE_CHECKING:
     from hh_exudyn.multibody.linear.modes import CriticalSpeed, LinearVehicle
+    from hh_exudyn.multibody.linear.nonlinear_speed import HuntingRun
 
 SLOWEST, FASTEST = 5.0, 500.0  # km/h
+_HIGHEST, _HIGHEST_NONLINEAR = 300.0, 200.0  # km/h, looked at where nothing else is asked
 _LOCUS_SPEEDS = 25  # of the figure
 
 CaseFile = Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file.")]
@@ -93,19 +98,39 @@ def modes(
 def critical_speed(
     case: CaseFile,
     from_km_h: Annotated[float, typer.Option(metavar="km/h", help="Lowest speed looked at.")] = 20.0,
-    to_km_h: Annotated[float, typer.Option(metavar="km/h", help="Highest speed looked at.")] = 300.0,
+    to_km_h: Annotated[
+        float | None,
+        typer.Option(metavar="km/h", help="Highest speed looked at. [default: 300, nonlinear 200]"),
+    ] = None,
     step_km_h: Annotated[float, typer.Option(metavar="km/h", help="Distance of the speeds.")] = 20.0,
+    nonlinear: Annotated[
+        bool, typer.Option("--nonlinear", help="By motion in time, down from a hunting limit cycle.")
+    ] = False,
+    resolution_km_h: Annotated[
+        float, typer.Option(metavar="km/h", help="To which the nonlinear speed is found.")
+    ] = 2.0,
     figure: NewFigure = None,
 ) -> None:
-    """Speed at which a case's vehicle begins to hunt by its eigenvalues; a figure is the root locus."""
+    """Speed at which a case's vehicle begins to hunt.
+
+    By its eigenvalues: where its smallest motions begin to grow, all friction elements sticking; a figure is
+    the root locus. With --nonlinear: below which hunting dies out, friction elements sliding; a figure is the
+    amplitude over the speed. For a vehicle on friction, as a three-piece wagon, that is the one to quote.
+    """
     with told():
+        if to_km_h is None:
+            to_km_h = _HIGHEST_NONLINEAR if nonlinear else _HIGHEST
         check("--from-km-h", from_km_h, SLOWEST, FASTEST, "km/h")
         check("--to-km-h", to_km_h, SLOWEST, FASTEST, "km/h")
         check("--step-km-h", step_km_h, 0.1, FASTEST, "km/h")
+        check("--resolution-km-h", resolution_km_h, 0.1, FASTEST, "km/h")
         if not from_km_h < to_km_h:
             raise Refused(f"--to-km-h {to_km_h:g} km/h: allowed above --from-km-h {from_km_h:g} km/h")
         require_new_figure(figure)
         vehicle, _ = _linear(case)
+        if nonlinear:
+            _by_motion(vehicle, from_km_h, to_km_h, step_km_h, resolution_km_h, figure)
+            return
         import hh_exudyn.multibody.linear.modes as linear
         from hh_exudyn.multibody.equilibrium import NoEquilibrium
 
@@ -127,6 +152,11 @@ def critical_speed(
                 f"{_what(found, vehicle)}",
                 markup=False,
             )
+        if vehicle.on_friction:
+            out.print(
+                "its friction elements stick everywhere here: a motion that makes them slide hunts at other "
+                "speeds; --nonlinear gives the one below which hunting dies out"
+            )
         if figure is not None:
             import numpy as np
 
@@ -137,6 +167,93 @@ def critical_speed(
                 locus = linear.root_locus(vehicle, [float(speed) for speed in speeds])
             speed = None if found is None else found.speed
             write_figure(root_locus_figure(f"Root locus of {name}", speeds, locus, speed), figure)
+
+
+def _by_motion(
+    vehicle: "LinearVehicle", low: float, high: float, step: float, resolution: float, figure: Path | None
+) -> None:
+    """Print every run, the nonlinear critical speed and what it rests on; speeds [km/h]."""
+    import hh_exudyn.multibody.linear.nonlinear_speed as search
+    from hh_exudyn.multibody.equilibrium import NoEquilibrium
+
+    name = vehicle.vehicle.name
+    out.print(
+        f"{name}: the train slows down from {high:g} km/h, at first with all wheelsets "
+        f"{search.DISPLACEMENT * 1e3:g} mm to the left; it hunts while a wheelset moves by "
+        f"{search.SETTLED * 1e3:g} mm or more to either side; friction elements slide; smooth straight track",
+        markup=False,
+    )
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
+        reports = _RunReports(bar)
+        try:
+            found = search.nonlinear_critical_speed(
+                vehicle,
+                low / 3.6,
+                high / 3.6,
+                step / 3.6,
+                resolution / 3.6,
+                told=reports.told,
+                progress=reports.progress,
+            )
+        except NoEquilibrium as error:
+            fail(STOPPED, str(error))
+        except ValueError as error:
+            raise Refused(str(error)) from None
+    if found.hunting is None:
+        out.print(f"{name}: no hunting from {low:g} to {high:g} km/h", markup=False)
+    elif found.settled is None:
+        out.print(f"{name}: hunting goes on down to {low:g} km/h", markup=False)
+    else:
+        begins = "does not begin it"
+        if found.begins is not None:
+            begins = f"begins it from {found.begins * 3.6:.1f} km/h on"
+        out.print(
+            f"{name}: nonlinear critical speed {found.hunting * 3.6:.1f} km/h (hunting goes on there, at "
+            f"{found.settled * 3.6:.1f} km/h it dies out); the disturbance of the resting vehicle {begins}",
+            markup=False,
+        )
+    if figure is not None:
+        from hh_exudyn.figures.hunting import hunting_figure
+
+        runs = [run for run in found.runs if math.isfinite(run.amplitude)]
+        drawn = hunting_figure(
+            f"Hunting of {name}",
+            [run.speed for run in runs],
+            [run.amplitude for run in runs],
+            [run.from_cycle for run in runs],
+            search.SETTLED,
+        )
+        write_figure(drawn, figure)
+
+
+class _RunReports:
+    """A line for every run that is done, and a bar for the one that goes on, with the time still needed."""
+
+    def __init__(self, bar: Progress) -> None:
+        self._bar = bar
+        self._task = bar.add_task("equilibrium", total=1.0)
+        self._begun = clock.perf_counter()
+        self._runs = 0
+
+    def told(self, run: "HuntingRun", more: int) -> None:
+        """Print a run and how long those may take that follow at most."""
+        self._runs += 1
+        left = more * (clock.perf_counter() - self._begun) / self._runs
+        wheels = "a wheel left its rail"
+        if math.isfinite(run.amplitude):
+            wheels = f"{run.amplitude * 1e3:6.2f} mm {number(run.frequency, 2):>5} Hz"
+        begun = "cycle" if run.from_cycle else "disturbed"
+        out.print(
+            f"{run.speed * 3.6:6.1f} km/h {wheels} after {run.duration:4.1f} s, {begun:9} "
+            f"{'hunts' if run.hunts else 'dies out':8} (at most {left:.0f} s more)",
+            markup=False,
+        )
+
+    def progress(self, speed: float, time: float, longest: float) -> None:
+        """Move the bar of a run."""
+        text = f"{speed * 3.6:.1f} km/h, {time:.1f} s of at most {longest:.0f} s of motion"
+        self._bar.update(self._task, completed=time / longest, description=text)
 
 
 def _what(found: "CriticalSpeed", vehicle: "LinearVehicle") -> str:

@@ -15,11 +15,13 @@
 `remaining`          which force keeps a vehicle out of equilibrium, and where
 `inertia`            mass matrix and gyroscopic moments
 `linear`             modes, their way over speed, linear critical speed
-`hunting`            motion in time after a disturbance, nonlinear critical speed
+`hunting`            motion in time after a disturbance: amplitude, growth, frequency
+`nonlinear_speed`    nonlinear critical speed: down from a limit cycle until hunting dies out
 `stability`          the largest time step that the explicit integration bears
 `control`            controllers in the loop: driver and steering of a vehicle with drives
 `brakes`             shoes on the treads: thrust, friction, reaction on the side frames
 `watch`              reasons to stop a run
+`interruption`       Ctrl-C while Exudyn integrates
 `recording`          rows of the logs
 `simulate`           `simulate(case, directory)`
 `once`               `simulate_once`, for studies that are begun again: finished runs are found

@@ -1,12 +1,9 @@
 """`simulate(case, directory)`: equilibrium, time integration with Exudyn, logs on disk."""
 
 import math
-import signal
-import threading
 import time as clock
 from collections.abc import Callable
 from pathlib import Path
-from types import FrameType
 from typing import Any
 
 import exudyn as exu
@@ -19,6 +16,7 @@ from hh_exudyn.log.store import Run, open_run, write_case, write_status, write_v
 from hh_exudyn.multibody.assembly import assemble, explicit_settings, exudyn_system
 from hh_exudyn.multibody.control import VehicleControl, vehicle_control
 from hh_exudyn.multibody.equilibrium import Equilibrium, equilibrium
+from hh_exudyn.multibody.interruption import Interruption
 from hh_exudyn.multibody.linear.stability import require_stable_step
 from hh_exudyn.multibody.model import SystemModel, Workspace, workspace
 from hh_exudyn.multibody.recording import LogWriter
@@ -146,7 +144,7 @@ class _Integration:
         self._accepted = False  # Exudyn calls `_after_step` once before the first step
         self._steps = 0
         self._error: Exception | None = None
-        self._interrupted = False
+        self._interruption = Interruption()
         self._progress: Progress | None = None
         self._next_progress = 0.0
         self._duration = 0.0
@@ -169,16 +167,14 @@ class _Integration:
         self._duration = (track_length - front) / self._speed
         mbs = exudyn_system(self._model, self._state.q, self._state.v, self._forces, self._after_step)
         settings = explicit_settings(self._duration, self._step)
-        previous = None
-        if threading.current_thread() is threading.main_thread():
-            previous = signal.signal(signal.SIGINT, self._interrupt)
         start = clock.perf_counter()
         # Exudyn prints that user functions allocate memory, which a Python function cannot avoid; what goes
         # wrong comes as an exception
         exu.config.printToConsole = False
         try:
-            mbs.SolveDynamic(settings, showHints=False)
-            if self._accepted and not self._interrupted:
+            with self._interruption:
+                mbs.SolveDynamic(settings, showHints=False)
+            if self._accepted and not self._interruption.wanted:
                 self._forces(mbs, self._steps * self._step, 0, None, None)  # the last state, to log it too
         except Exception as error:
             # Exudyn reports an exception of a user function as its own failure: the kept one tells more
@@ -186,8 +182,6 @@ class _Integration:
         finally:
             wall = clock.perf_counter() - start
             exu.config.printToConsole = True
-            if previous is not None:
-                signal.signal(signal.SIGINT, previous)
             self.times = {
                 "simulated_s": self._steps * self._step,
                 "wall_s": wall,
@@ -195,13 +189,10 @@ class _Integration:
                 "python_s": self._callback_time - self._kernel_time,
                 "exudyn_s": wall - self._callback_time,
             }
-        if self._interrupted:
+        if self._interruption.wanted:
             raise KeyboardInterrupt
         if self._error is not None:
             raise self._error
-
-    def _interrupt(self, number: int, frame: FrameType | None) -> None:
-        self._interrupted = True
 
     def _forces(self, mbs: Any, time: float, item: int, q: Any, q_t: Any) -> list[float]:
         """Exudyn's force function: one kernel call; never raises, since Exudyn would hide the reason."""
@@ -262,4 +253,4 @@ class _Integration:
                     self._progress(done, f"t = {time:.2f} s, s = {self._work.arc_length[0]:.1f} m")
                 except Exception as error:
                     self._error = error
-        return self._error is None and not self._interrupted and self._position < self._end
+        return self._error is None and not self._interruption.wanted and self._position < self._end

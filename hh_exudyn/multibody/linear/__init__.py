@@ -1,9 +1,10 @@
 """Motion about the equilibrium: modes, stability, hunting.
 
-=============  ======================================================================================
-`modes`        linearisation, modes, root locus, linear critical speed
-`inertia`      mass matrix and gyroscopic moments
-`hunting`      motion in time after a disturbance, nonlinear critical speed
-`stability`    the largest time step that the explicit integration bears
-=============  ======================================================================================
+=================  =================================================================================
+`modes`            linearisation, modes, root locus, linear critical speed
+`inertia`          mass matrix and gyroscopic moments
+`hunting`          motion in time after a disturbance: amplitude, growth, frequency
+`nonlinear_speed`  nonlinear critical speed: down from a limit cycle until hunting dies out
+`stability`        the largest time step that the explicit integration bears
+=================  =================================================================================
 """

@@ -1,9 +1,9 @@
 """Does a disturbed vehicle settle or hunt? Motion in time on straight smooth track at one speed."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 import exudyn as exu
 import numpy as np
@@ -11,10 +11,23 @@ import numpy as np
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import Bundle
 from hh_exudyn.multibody.assembly import explicit_settings, exudyn_system
+from hh_exudyn.multibody.interruption import Interruption
 from hh_exudyn.multibody.linear.modes import LinearVehicle
 from hh_exudyn.multibody.linear.stability import require_stable_step
-from hh_exudyn.multibody.model import BODY_COORDINATES
+from hh_exudyn.multibody.model import BODY_COORDINATES, SystemModel, first_creep, first_track
 from hh_exudyn.multibody.system import evaluate_bundle
+from hh_exudyn.multibody.watch import REASONS, Trouble, look_bundle, watch_state
+
+STEP = 4e-4  # s, of the explicit integration
+
+
+class MotionState(NamedTuple):
+    """Where a motion has come to, to go on from there."""
+
+    speed: float  # [m/s]
+    q: FloatArray
+    v: FloatArray
+    sliders: FloatArray
 
 
 @dataclass(frozen=True)
@@ -27,10 +40,12 @@ class LateralMotion:
         Of every step [s].
     lateral : (n, wheelsets) array
         Displacement to the left [m].
+    end : MotionState
     """
 
     time: FloatArray
     lateral: FloatArray
+    end: MotionState
 
     def amplitude(self, after: float) -> float:
         """Half the largest range of any wheelset's motion from the time `after` [s] on [m]."""
@@ -70,10 +85,22 @@ class LateralMotion:
         return float((up.size - 1) / (crossings[-1] - crossings[0]))
 
 
+class Derailed(RuntimeError):
+    """A wheel has left its rail, or the motion is not finite any more."""
+
+
 def lateral_motion(
-    vehicle: LinearVehicle, speed: float, duration: float, displacement: float, step: float = 4e-4
+    vehicle: LinearVehicle,
+    speed: float,
+    duration: float,
+    displacement: float = 0.0,
+    step: float = STEP,
+    *,
+    begun: MotionState | None = None,
+    slowing: float = math.inf,
+    progress: Callable[[float], None] | None = None,
 ) -> LateralMotion:
-    """Integrate the full nonlinear motion with Exudyn from the equilibrium, all wheelsets moved sideways.
+    """Integrate the full nonlinear motion with Exudyn; friction elements slide where they must.
 
     Parameters
     ----------
@@ -82,26 +109,37 @@ def lateral_motion(
     duration : [s]
     displacement : of every wheelset at the start, to the left [m]
     step : of the explicit integration [s]
+    begun : the end of another motion of this vehicle, to go on from; None: from the equilibrium
+    slowing : how fast the train comes from the speed of `begun` to this one [m/s^2]; infinite: at once, all
+        velocities along the track, spins and creepages alike
+    progress : called after every step with the time [s]
 
     Raises
     ------
     ValueError
-        The step is too large for the explicit integration.
+        The step is too large for the explicit integration, at the start or in the motion.
     NoEquilibrium
         There is no equilibrium at that speed.
-    RuntimeError
-        The motion is not finite any more: a derailment.
+    Derailed
+        As `simulate` calls it.
+    KeyboardInterrupt
+        Ctrl-C.
     """
-    model, work, state = vehicle.at(speed, step)
+    first = speed if begun is None or math.isinf(slowing) else begun.speed
+    model, work, state = vehicle.at(max(first, speed), step)
     require_stable_step(step, model, work, state)
-    bundle = Bundle(model, work)
-    sliders = state.sliders.copy()
+    if begun is None:
+        start = MotionState(speed, state.q.copy(), state.v, state.sliders.copy())
+    else:
+        start = _at_speed(begun, first, model, state.q)
     sideways = BODY_COORDINATES * model.wheelsets + 1
-    q = state.q.copy()
-    q[sideways] += displacement
+    start.q[sideways] += displacement
+    bundle, sliders = Bundle(model, work), start.sliders
     rows: list[FloatArray] = []
-    failed: list[int] = []
-    accepted = False  # a state whose sliders and status the first evaluation of the next step brings
+    end: list[FloatArray] = []
+    troubles: list[tuple[int, int, int]] = []
+    watched = Bundle(work, watch_state(model))
+    accepted = False  # a state whose sliders and troubles the first evaluation of the next step brings
 
     def forces(mbs: Any, time: float, item: int, _: Any, __: Any) -> list[float]:
         nonlocal accepted
@@ -110,68 +148,61 @@ def lateral_motion(
         if accepted:
             accepted = False
             sliders[:] = work.new_sliders
-            failed.extend([status] if status else [])
+            found = look_bundle(watched, step)
+            if status:  # the contact kernel's: 1 + number of the wheel
+                found = (int(Trouble.NOT_FINITE), *divmod(status - 1, 2))
+            troubles.extend([found] if found[0] else [])
         result: list[float] = work.generalized_force.tolist()
         return result
 
     def after_step(mbs: Any, time: float) -> bool:
         nonlocal accepted
         accepted = True
-        rows.append(np.array([time, *mbs.systemData.GetODE2Coordinates()[sideways]]))
-        return not failed and bool(np.isfinite(rows[-1]).all())
+        now = mbs.systemData.GetODE2Coordinates()
+        rows.append(np.array([time, *now[sideways]]))
+        end[:] = now, mbs.systemData.GetODE2Coordinates_t()
+        model.train.course[:] = _course(first, speed, slowing, time)
+        if progress is not None:
+            progress(time)
+        return not (troubles or interruption.wanted)
 
-    mbs = exudyn_system(model, q, state.v, forces, after_step)
+    mbs = exudyn_system(model, start.q, start.v, forces, after_step)
     exu.config.printToConsole = False  # as in `simulate`
     try:
-        mbs.SolveDynamic(explicit_settings(duration, step), showHints=False)
+        with Interruption() as interruption:
+            mbs.SolveDynamic(explicit_settings(duration, step), showHints=False)
     finally:
         exu.config.printToConsole = True
-    if failed:
-        wheelset, side = divmod(failed[0] - 1, 2)
-        raise RuntimeError(f"wheel {wheelset + 1}{'LR'[side]} left its rail at t = {rows[-1][0]:.3f} s")
+    if interruption.wanted:
+        raise KeyboardInterrupt
+    if troubles:
+        trouble, wheelset, side = troubles[0]
+        kind, detail = REASONS[Trouble(trouble)]
+        where = f"wheel {wheelset + 1}{'LR'[side]}, " if wheelset >= 0 else ""
+        error = ValueError if trouble == Trouble.ALTERNATING else Derailed
+        raise error(f"{kind}: {detail} ({where}{speed * 3.6:.1f} km/h, t = {rows[-1][0]:.3f} s)")
     table = np.array(rows)
-    return LateralMotion(table[:, 0], table[:, 1:])
+    return LateralMotion(table[:, 0], table[:, 1:], MotionState(speed, end[0], end[1], sliders.copy()))
 
 
-def nonlinear_critical_speed(
-    vehicle: LinearVehicle,
-    speeds: Sequence[float],
-    displacement: float = 5e-3,
-    duration: float = 5.0,
-    settled: float = 0.5e-3,
-    step: float = 4e-4,
-) -> list[tuple[float, float]]:
-    """Amplitude of hunting that is left of a large disturbance, speed by speed downwards until it settles.
+def _course(first: float, last: float, slowing: float, time: float) -> tuple[float, float]:
+    """Way of a train that slows down, less its speed times the time [m], and its speed [m/s]."""
+    if first == last:
+        return 0.0, last
+    change = math.copysign(slowing, last - first)
+    ramp = (last - first) / change
+    if time < ramp:
+        return -0.5 * change * time**2, first + change * time
+    return -0.5 * change * ramp**2, last
 
-    The lowest speed at which a limit cycle is left is the nonlinear critical speed, to the distance of the
-    speeds. Below it every disturbance of that kind dies away; it may lie far below the linear one. Each
-    speed is a run of its own, begun with all wheelsets moved sideways: an unstable cycle that lies outside
-    of that disturbance is not seen.
 
-    Parameters
-    ----------
-    vehicle : what runs, and on which straight track
-    speeds : [m/s], falling
-    displacement : of the wheelsets at the start of each run [m]
-    duration : of each run [s]; the last fifth is looked at
-    settled : amplitude below which the vehicle has settled [m]
-    step : of the explicit integration [s]
-
-    Returns
-    -------
-    (speed [m/s], amplitude [m]) of every run; the last has settled unless `speeds` ended before.
-
-    Raises
-    ------
-    ValueError, NoEquilibrium, RuntimeError
-        As `lateral_motion`; ValueError also for speeds that do not fall.
-    """
-    if any(later >= earlier for earlier, later in pairwise(speeds)):
-        raise ValueError(f"speeds {list(speeds)} m/s must fall")
-    found: list[tuple[float, float]] = []
-    for speed in speeds:
-        left = lateral_motion(vehicle, speed, duration, displacement, step).amplitude(0.8 * duration)
-        found.append((speed, left))
-        if left < settled:
-            break
-    return found
+def _at_speed(begun: MotionState, speed: float, model: SystemModel, rest: FloatArray) -> MotionState:
+    """A state at another speed, and where the vehicle stands in the equilibrium `rest`."""
+    q, v = begun.q.copy(), begun.v.copy()
+    along = np.arange(0, first_track(model), BODY_COORDINATES)
+    place = BODY_COORDINATES * int(model.train.bodies[0])
+    q[along] += rest[place] - q[place]
+    v[along] += speed - begun.speed
+    rolling = [*(BODY_COORDINATES * model.wheelsets + 4), *range(first_creep(model), v.size)]
+    v[rolling] *= speed / begun.speed
+    return MotionState(speed, q, v, begun.sliders.copy())

@@ -134,6 +134,11 @@ class LinearVehicle:
         self._work = workspace(self._model)
         self._start = self._model.train.start.copy()
 
+    @property
+    def on_friction(self) -> bool:
+        """Whether couplings of the vehicle rub on each other, which a linear analysis takes as sticking."""
+        return any(getattr(coupling, "friction", 0.0) > 0.0 for coupling in self.vehicle.couplings)
+
     def at(self, speed: float, step: float = 0.0) -> tuple[SystemModel, Workspace, Equilibrium]:
         """Model, work space and equilibrium at a speed [m/s]; with a time step [s] as a run in such steps.
 

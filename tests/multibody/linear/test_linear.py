@@ -13,7 +13,7 @@ from hh_exudyn.contact.types import GivenCreep
 from hh_exudyn.contact.wheel_rail import wheel_rail_model
 from hh_exudyn.conventions import FLANGE_BACK_TO_RUNNING_CIRCLE, NOMINAL_GAUGE
 from hh_exudyn.multibody.equilibrium import equilibrium
-from hh_exudyn.multibody.linear.hunting import lateral_motion, nonlinear_critical_speed
+from hh_exudyn.multibody.linear.hunting import lateral_motion
 from hh_exudyn.multibody.linear.modes import LinearVehicle, critical_speed, root_locus
 from vehicles.catalogue import VEHICLES, parameters, vehicle
 from vehicles.couplings import AxleBoxPad, Bushing
@@ -272,19 +272,6 @@ def test_vertical_modes_of_manchester_vehicle_1(given_case, whole, tolerance):
         and np.abs(mode.shape[own][:, [2, 4]]).max() > 0.5
     ]
     assert vertical == pytest.approx(VERTICAL_MODES, rel=tolerance)
-
-
-def test_hunting_is_followed_down_until_it_settles(given_case):
-    """The coach on S1002 and 60E1: a limit cycle well above its linear critical speed, none well below."""
-    case = given_case.with_changes(
-        contact={"theory": "fastrip"}, wheel_profile="S1002", track={"rail": "60E1", "inclination": "1:40"}
-    )
-    coach = LinearVehicle(vehicle("manchester_vehicle_1"), case)
-    linear = critical_speed(coach, low=45.0, high=75.0, step=10.0)
-    assert 50.0 < linear.speed < 70.0
-    cycles = nonlinear_critical_speed(coach, [1.3 * linear.speed, 0.75 * linear.speed, 20.0], duration=2.5)
-    assert len(cycles) == 2  # 20 m/s is not run any more
-    assert cycles[0][1] > 3e-3 > 0.5e-3 > cycles[1][1]
 
 
 def test_reference_vehicles_say_where_their_numbers_are_from():
