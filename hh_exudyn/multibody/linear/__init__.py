@@ -4,6 +4,6 @@
 `modes`        linearisation, modes, root locus, linear critical speed
 `inertia`      mass matrix and gyroscopic moments
 `hunting`      motion in time after a disturbance, nonlinear critical speed
-`stability`    the largest time step that the explicit integration bears
+`stability`    the largest stable time step of the explicit integration
 =============  ======================================================================================
 """

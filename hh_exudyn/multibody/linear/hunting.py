@@ -77,7 +77,7 @@ def lateral_motion(
 
     Parameters
     ----------
-    vehicle : what runs, and on which straight track
+    vehicle : the vehicle on its straight track
     speed : [m/s]
     duration : [s]
     displacement : of every wheelset at the start, to the left [m]
@@ -101,7 +101,7 @@ def lateral_motion(
     q[sideways] += displacement
     rows: list[FloatArray] = []
     failed: list[int] = []
-    accepted = False  # a state whose sliders and status the first evaluation of the next step brings
+    accepted = False  # a state; its sliders and status come with the first evaluation of the next step
 
     def forces(mbs: Any, time: float, item: int, _: Any, __: Any) -> list[float]:
         nonlocal accepted
@@ -150,7 +150,7 @@ def nonlinear_critical_speed(
 
     Parameters
     ----------
-    vehicle : what runs, and on which straight track
+    vehicle : the vehicle on its straight track
     speeds : [m/s], falling
     displacement : of the wheelsets at the start of each run [m]
     duration : of each run [s]; the last fifth is looked at
