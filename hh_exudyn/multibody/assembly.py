@@ -15,13 +15,13 @@ from exudyn.itemInterface import (
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case import Case
+from hh_exudyn.multibody.couplings.dispatch import FAMILIES
+from hh_exudyn.multibody.couplings.family import packed
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,
-    PARAMETERS,
     Brakes,
     Couplings,
     Drives,
-    Kind,
     SystemModel,
     Train,
     first_track,
@@ -29,19 +29,7 @@ from hh_exudyn.multibody.model import (
 from track.course.alignment import Alignment, inclined_frame
 from track.irregularity.table import IrregularityTable, smooth_track
 from track.support.flexibility import track_flexibility
-from vehicles.couplings import (
-    AxleBox,
-    AxleBoxPad,
-    BumpStop,
-    Bushing,
-    CentrePlate,
-    Coupling,
-    Rod,
-    SideBearer,
-    SpringNest,
-    Vector,
-    Wedge,
-)
+from vehicles.couplings import Coupling, Rod, Vector
 from vehicles.description import Vehicle
 from vehicles.start import start_front, start_middle
 
@@ -51,6 +39,11 @@ LARGEST_LAG_RATE = 1.5  # of the creepage's transition per time step; RK4 is sta
 
 def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
     """The kernel's model of a vehicle on the track of a case.
+
+    Parameters
+    ----------
+    vehicle : description; the case's own vehicle is not read
+    case : track, contact, friction, speed, brakes and time step
 
     Raises
     ------
@@ -62,7 +55,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
     _require_straight_start(vehicle, alignment, case.track.alignment_key)
     numbers = {body.name: i for i, body in enumerate(vehicle.bodies)}
     flexible = case.track.flexible
-    # rigid track keeps a parameter set that nothing reads: the kernel's types stay the same
+    # rigid track has a parameter set too, unused, so that the kernel's types stay the same
     flexibility = track_flexibility(case.track.flexibility if flexible else "concrete")
     if not case.track.sleeper_passing:
         flexibility = flexibility.evenly_supported()
@@ -87,12 +80,18 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
 
 
 def shortest_transition(speed: float, step: float) -> float:
-    """Of the creepage [m], at a speed [m/s] and with the time step that must bear it [s]."""
+    """Lower bound of the creepage's transition length [m], for stability of the explicit integration.
+
+    Parameters
+    ----------
+    speed : [m/s]
+    step : time step [s]
+    """
     return max(SHORTEST_TRANSITION, speed * step / LARGEST_LAG_RATE)
 
 
 def _require_straight_start(vehicle: Vehicle, alignment: Alignment, key: str) -> None:
-    """The equilibrium at the start is that of straight track without cant, on one gradient, to the front."""
+    """Raise ValueError unless the track under the vehicle at the start is straight and of one gradient."""
     front = start_front(vehicle)
     first = f"track.{key}: the first {front:.1f} m"
     _, _, _, heading, _, roll, _, _ = inclined_frame(alignment.table, front)
@@ -110,7 +109,7 @@ def _require_straight_start(vehicle: Vehicle, alignment: Alignment, key: str) ->
 
 
 def _irregularity(vehicle: Vehicle, case: Case, alignment: Alignment) -> IrregularityTable:
-    """The irregularities ahead of the vehicle, which stands on smooth track at the start."""
+    """Irregularities ahead of the vehicle's start; the track under it there is smooth."""
     irregular = case.track.irregular(start_front(vehicle), alignment.length)
     if irregular is None:
         return smooth_track()
@@ -119,7 +118,7 @@ def _irregularity(vehicle: Vehicle, case: Case, alignment: Alignment) -> Irregul
 
 
 def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
-    """The train at all heads of a vehicle that it pulls, or at the rear head of one that pulls it."""
+    """The train: at all coupler heads of a hauled vehicle, at the rear head of a driven one."""
     coupler = vehicle.coupler
     points = dict(zip(coupler.points, coupler.bodies, strict=True))
     if vehicle.drives:
@@ -136,17 +135,16 @@ def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
         damping=0.0 if uncoupled else coupler.damping,
         speed=case.speed,
         through=draft * np.sign(heads[:, 0]),
-        course=np.array([0.0, case.speed]),
     )
 
 
 def _drives(vehicle: Vehicle, numbers: dict[str, int]) -> Drives:
     bodies = [(numbers[drive.wheelset], numbers[drive.motor]) for drive in vehicle.drives]
-    return Drives(np.array(bodies, dtype=np.int64).reshape(-1, 2), np.zeros(len(bodies)))
+    return Drives(np.array(bodies, dtype=np.int64).reshape(-1, 2))
 
 
 def _brakes(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Brakes:
-    """The shoes that a case presses, each as hard as it says."""
+    """The shoes applied in a case, with the thrust of its brake order."""
     order = case.brake
     thrusts = [] if order is None else order.thrusts(vehicle)
     shoes = [(shoe, thrust) for shoe, thrust in zip(vehicle.shoes, thrusts, strict=False) if thrust > 0.0]
@@ -165,117 +163,26 @@ def _brakes(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Brakes:
 
 def _couplings(vehicle: Vehicle, numbers: dict[str, int]) -> Couplings:
     positions = {body.name: np.array(body.position) for body in vehicle.bodies}
-    packed = [_pack(coupling) for coupling in vehicle.couplings]
-    ends = [_ends(coupling) for coupling in vehicle.couplings]
-    arms_a, arms_b = (
-        [np.array(end[k]) - positions[body] for end, body in zip(ends, bodies, strict=True)]
-        for k, bodies in enumerate(
-            ([c.body_a for c in vehicle.couplings], [c.body_b for c in vehicle.couplings])
-        )
-    )
-    parameters = [row + [0.0] * (PARAMETERS - len(row)) for _, row in packed]
+    couplings = vehicle.couplings
+    ends = [_ends(coupling) for coupling in couplings]
+    arms_a = [np.array(end) - positions[c.body_a] for (end, _), c in zip(ends, couplings, strict=True)]
+    arms_b = [np.array(end) - positions[c.body_b] for (_, end), c in zip(ends, couplings, strict=True)]
+    kind, records = packed(couplings, FAMILIES)
     return Couplings(
-        kind=np.array([kind for kind, _ in packed], dtype=np.int64),
-        body_a=np.array([numbers[coupling.body_a] for coupling in vehicle.couplings], dtype=np.int64),
-        body_b=np.array([numbers[coupling.body_b] for coupling in vehicle.couplings], dtype=np.int64),
+        kind=kind,
+        body_a=np.array([numbers[coupling.body_a] for coupling in couplings], dtype=np.int64),
+        body_b=np.array([numbers[coupling.body_b] for coupling in couplings], dtype=np.int64),
         point_a=np.array(arms_a).reshape(-1, 3),  # a vehicle may have no couplings at all
         point_b=np.array(arms_b).reshape(-1, 3),
-        parameters=np.array(parameters).reshape(-1, PARAMETERS),
+        numbers=records,
     )
 
 
 def _ends(coupling: Coupling) -> tuple[Vector, Vector]:
-    """Where a coupling is fixed to its bodies A and B on the drawing [m]."""
+    """Points of a coupling on its bodies A and B on the drawing [m]."""
     if isinstance(coupling, Rod):
         return coupling.point_a, coupling.point_b
     return coupling.point, coupling.point
-
-
-def _pack(coupling: Coupling) -> tuple[Kind, list[float]]:
-    """Kind and parameters in the order in which `couplings` unpacks them."""
-    c = coupling
-    match c:
-        case AxleBoxPad():
-            return Kind.AXLE_BOX_PAD, [*c.stiffness, *c.damping, c.roll_stiffness, c.yaw_stiffness]
-        case AxleBox():
-            return Kind.AXLE_BOX, [
-                *c.stiffness,
-                *c.damping,
-                c.roll_stiffness,
-                c.yaw_stiffness,
-                c.friction,
-                c.longitudinal_clearance,
-                c.lateral_clearance,
-                c.stop_stiffness,
-            ]
-        case SpringNest():
-            return Kind.SPRING_NEST, [
-                c.first_stiffness,
-                c.second_stiffness,
-                c.second_from,
-                c.longitudinal_stiffness,
-                c.lateral_stiffness,
-                c.roll_stiffness,
-                c.pitch_stiffness,
-                c.warp_stiffness,
-                c.shear_damping,
-                c.vertical_damping,
-                c.roll_damping,
-                c.pitch_damping,
-                c.warp_damping,
-                c.stop_clearance,
-                c.stop_stiffness,
-            ]
-        case Wedge():
-            return Kind.WEDGE, [
-                float(c.direction),
-                c.spring_stiffness,
-                c.spring_share,
-                c.compression,
-                math.tan(c.slope),
-                c.toe,
-                math.tan(c.force_slope),
-                c.tan_slope,
-                c.friction,
-                c.stick_stiffness,
-                c.stick_damping,
-                c.width,
-            ]
-        case CentrePlate():
-            return Kind.CENTRE_PLATE, [
-                c.radius,
-                c.stiffness,
-                c.damping,
-                c.friction,
-                c.stick_stiffness,
-                c.stick_damping,
-                c.rim_clearance,
-                c.rim_stiffness,
-            ]
-        case SideBearer():
-            return Kind.SIDE_BEARER, [
-                c.preload,
-                c.stiffness,
-                c.damping,
-                c.stop_clearance,
-                c.stop_stiffness,
-                c.friction,
-                c.stick_stiffness,
-                c.stick_damping,
-            ]
-        case Bushing():
-            return Kind.BUSHING, [
-                *c.stiffness,
-                *c.damping,
-                *c.rotational_stiffness,
-                *c.rotational_damping,
-                *c.preload,
-            ]
-        case Rod():
-            return Kind.ROD, [c.length, c.stiffness, c.damping]
-        case BumpStop():
-            points = [value for point in c.table for value in point]
-            return Kind.BUMP_STOP, [*c.axis, float(c.odd), float(len(c.table)), *points]
 
 
 def exudyn_system(
@@ -285,13 +192,14 @@ def exudyn_system(
     forces: Callable[[Any, float, int, Any, Any], list[float]],
     after_step: Callable[[Any, float], bool],
 ) -> Any:
-    """The assembled Exudyn system: rigid bodies, track masses, and one object that brings all forces.
+    """The assembled Exudyn system: rigid bodies, track masses, and one object with all forces.
 
     Parameters
     ----------
-    q, v : initial coordinates and velocities (layout: `model`)
+    model : masses and inertias are read
+    q, v : (coordinates,) initial coordinates and velocities (layout: `model`)
     forces : user function of the force object, (mbs, t, item, q, q_t) -> generalized forces
-    after_step : (mbs, t) -> go on?, called after every accepted step
+    after_step : (mbs, t) -> whether to go on, called after every accepted step
     """
     mbs = exu.SystemContainer().AddSystem()
     nodes = []
@@ -312,7 +220,7 @@ def exudyn_system(
             )
         )
         nodes.append(node)
-    # track masses, then the creep coordinates, whose unit masses make their forces the rates of velocity
+    # track masses, then the creep coordinates: with unit masses their forces are the rates of velocity
     others = np.ones(q.size - first_track(model))
     if model.flexible:
         masses = np.tile(model.track_mass, len(model.wheelsets))
@@ -339,9 +247,12 @@ def exudyn_system(
 
 
 def explicit_settings(duration: float, step: float) -> Any:
-    """Exudyn's settings for the explicit Runge-Kutta method of fourth order at a constant step [s].
+    """Exudyn's settings for the explicit Runge-Kutta method of fourth order at a constant step.
 
-    The end is the last whole step within the duration [s].
+    Parameters
+    ----------
+    duration : [s]; the end is the last whole step within it
+    step : [s]
     """
     settings = exu.SimulationSettings()
     steps = max(1, math.floor(duration / step + 1e-9))

@@ -1,7 +1,7 @@
-"""Controllers in the loop: what they measure, what they move in the model, and the log of both.
+"""Controllers in the loop: their measurements, the inputs that they set, and the log of both.
 
-Called at accepted states, once a sample; between the samples the actuators stand, and the train moves on at
-its speed. Nothing of this is in the kernels but the numbers that it writes.
+Called at accepted states, once a sample; between samples the actuators stand still, and the train moves on at
+its speed. The kernels know of them only the numbers in `Inputs`.
 """
 
 import math
@@ -27,12 +27,16 @@ from vehicles.traction.steering import Steering
 Course = Callable[[FloatArray], FloatArray]
 
 SAMPLE = 10e-3  # s between two calls of the controllers
-_FORCE_X, _FORCE_Y = int(Patch.FORCE_X), int(Patch.FORCE_Y)
-_NORMAL, _FRICTION = int(Patch.NORMAL_FORCE), int(Patch.FRICTION)
 
 
 class VehicleControl:
-    """The controllers of a driven vehicle, between its model and its log."""
+    """The controllers of a driven vehicle, between its work space and its log.
+
+    Attributes
+    ----------
+    steps_per_sample : time steps between two calls of the controllers
+    front : arc length of the leading coupler head at the start [m]
+    """
 
     def __init__(
         self,
@@ -52,7 +56,7 @@ class VehicleControl:
         self.steps_per_sample = max(1, round(SAMPLE / (case.integration.step_ms * 1e-3)))
         self._interval = self.steps_per_sample * case.integration.step_ms * 1e-3
         self._actuators = Actuators(
-            torques=model.drives.torque,
+            torques=work.inputs.drive_torque,
             train_place=0.0,
             train_speed=case.speed,
             yaw=np.zeros(self._radius.size),
@@ -61,11 +65,15 @@ class VehicleControl:
         self.front = start_front(vehicle)
         self._origin = driver.train_place
         self._boxes = _axle_boxes(vehicle)
-        self._drawn_points = model.couplings.point_a.copy()
-        self._drawn_parameters = model.couplings.parameters.copy()
 
     def act(self, time: float, recorder: Recorder) -> None:
-        """Log the state just evaluated, let every controller act on it, move the model's actuators."""
+        """Log the state just evaluated, call every controller on it, and set the inputs.
+
+        Parameters
+        ----------
+        time : of the state [s]
+        recorder : of the control log
+        """
         measured = self._measure(time)
         self._log(measured)
         recorder.append_rows("control", self._rows)
@@ -90,20 +98,20 @@ class VehicleControl:
         )
 
     def _move(self, time: float) -> None:
-        model, actuators = self._model, self._actuators
+        inputs, actuators = self._work.inputs, self._actuators
         speed = actuators.train_speed
-        model.train.course[0] = actuators.train_place - self._origin - speed * time
-        model.train.course[1] = speed
-        points, parameters = model.couplings.point_a, model.couplings.parameters
+        inputs.train_course[0] = actuators.train_place - self._origin - speed * time
+        inputs.train_course[1] = speed
         for coupling, wheelset, lateral in self._boxes:
-            points[coupling, 0] = self._drawn_points[coupling, 0] - actuators.yaw[wheelset] * lateral
-            parameters[coupling, 0] = self._drawn_parameters[coupling, 0] * actuators.stiffness[wheelset]
+            inputs.coupling_shift[coupling] = -actuators.yaw[wheelset] * lateral
+            inputs.coupling_stiffness[coupling] = actuators.stiffness[wheelset]
 
     def _log(self, measured: Measurement) -> None:
         work, rows = self._work, self._rows
         patches = work.patches
-        creep = np.hypot(patches[..., _FORCE_X], patches[..., _FORCE_Y]) * (patches[..., _NORMAL] > 0.0)
-        bound = patches[..., _FRICTION] * np.maximum(patches[..., _NORMAL], 0.0)
+        normal = patches[..., Patch.NORMAL_FORCE]
+        creep = np.hypot(patches[..., Patch.FORCE_X], patches[..., Patch.FORCE_Y]) * (normal > 0.0)
+        bound = patches[..., Patch.FRICTION] * np.maximum(normal, 0.0)
         vertical = np.maximum(-work.rail_force[:, :, 1].sum(axis=1), 1.0)
         for k, column in enumerate(
             (
@@ -112,7 +120,7 @@ class VehicleControl:
                 np.arange(1, self._radius.size + 1),
                 measured.speeds,
                 measured.wheel_speeds,
-                self._model.drives.torque,
+                work.inputs.drive_torque,
                 work.wrench[:, 0] / vertical,
                 creep.sum(axis=(1, 2)) / np.maximum(bound.sum(axis=(1, 2)), 1.0),
                 self._driver.demand,
@@ -130,7 +138,13 @@ def vehicle_control(
 ) -> VehicleControl | None:
     """The controllers of a vehicle with drives, None of any other.
 
-    Sets the force of the train at the start, which the equilibrium keeps.
+    Sets the force of the train at the start (`Inputs.train_start`), which the equilibrium does not change.
+
+    Parameters
+    ----------
+    case : speed, traction and steering are read
+    vehicle, model : description, and its model on the track of the case
+    work : its inputs are set, here and by the controllers
     """
     if vehicle.traction is None:
         return None
@@ -145,10 +159,10 @@ def vehicle_control(
         equipment=vehicle.traction,
         coupler_stiffness=vehicle.coupler.stiffness,
     )
-    head = float(model.train.start[0])
+    head = float(work.inputs.train_start[0])
     grade = math.sin(-inclined_frame(model.alignment, start_middle(vehicle))[4])
     driver = Driver(unit, train, traction.orders(case.speed), case.speed, head, grade)
-    model.train.start[0] = driver.train_place
+    work.inputs.train_start[0] = driver.train_place
     controllers: list[Controller] = [driver]
     if case.steering is not None:
         bogies = np.array([wheelset.bogie for wheelset in vehicle.wheelsets])

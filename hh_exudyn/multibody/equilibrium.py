@@ -1,11 +1,11 @@
 """Static equilibrium of a vehicle that rolls straight ahead at constant speed, before the run.
 
-On a gradient the train holds the vehicle: the coupler force is its weight times the sine of the slope. A
-driven vehicle holds itself and its train by its drives. What is free and what is kept: `rolling`.
+On a gradient the coupler force of the train balances the vehicle's weight times the sine of the slope; a
+driven vehicle holds itself and its train by its drives. Unknowns and fixed quantities: `rolling`.
 
-A root search finds it in some hundredths of a second, unless it jumps to and fro where a wheel's contact goes
-from one place of the profile to another. Then the vehicle settles in time (`settling`) and the root search
-begins again there, where it has one branch of the force about it.
+A root search finds it in some hundredths of a second, unless it alternates between two places of contact on
+a wheel's profile. Then the vehicle settles in time (`settling`), and the root search starts again from there,
+within one branch of the force.
 """
 
 import time
@@ -30,7 +30,7 @@ _FORCE_SCALE = 1e3  # residuals are in thousandths of the weight
 
 
 class Equilibrium(NamedTuple):
-    """State at rest relative to the moving vehicle."""
+    """Static equilibrium of the rolling vehicle."""
 
     q: FloatArray  # coordinates
     v: FloatArray  # velocities
@@ -44,9 +44,14 @@ class _OutOfTime(Exception):
 def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equilibrium:
     """Solve for poses, rolling speeds and the force of the train on straight track of one gradient.
 
-    The force of the train is left in `model.train.start`, the torques of a driven vehicle in
-    `model.drives.torque`. Wedges carry no vertical friction, as after a long smooth ride; all other sliders
-    rest where the drawing has them.
+    The force of the train is left in `Inputs.train_start`, the torques of a driven vehicle in
+    `Inputs.drive_torque` of the work space. Wedges carry no vertical friction, as after a long smooth ride;
+    all other sliders are in their places on the drawing.
+
+    Parameters
+    ----------
+    vehicle, model : description, and its model on a track
+    work : work space; its inputs are the start of the search, and then those of the equilibrium
 
     Raises
     ------
@@ -92,10 +97,9 @@ def _found(rolling: RollingVehicle) -> Equilibrium:
 
 def _balance(rolling: RollingVehicle, steps: int, deadline: float) -> bool:
     """Whether a root search from the present state on finds the equilibrium, and leaves it there."""
-    model = rolling.model
     rates, place, weight = rolling.rates, rolling.place, rolling.weight
     begun = rolling.snapshot()
-    torque_scale = weight / max(model.drives.torque.size, 1)
+    torque_scale = weight / max(rolling.inputs.drive_torque.size, 1)
     guess = rolling.q.copy()
     guess[rates] = rolling.v[rates]
     guess[place] = float(begun.torque[0]) / torque_scale if rolling.driven else 0.0
@@ -109,11 +113,11 @@ def _balance(rolling: RollingVehicle, steps: int, deadline: float) -> bool:
         rolling.q[place] = begun.q[place]
         rolling.v[rates] = unknown[rates]
         if rolling.driven:
-            model.drives.torque[:] = unknown[place] * torque_scale
+            rolling.inputs.drive_torque[:] = unknown[place] * torque_scale
             rolling.forces()  # where the head is, to pull as before
             rolling.pull_as_before()
         else:
-            model.train.start[:] = begun.train + unknown[place]
+            rolling.inputs.train_start[:] = begun.train + unknown[place]
         return rolling.forces() / weight * _FORCE_SCALE
 
     # from zero change the trust region begins at one length scale: no step loses a one-sided contact

@@ -1,7 +1,7 @@
 """Force over deflection of the friction elements of a three-piece bogie, driven slowly around closed paths.
 
-What a loop encloses is what its element takes out of the motion: the area equals the energy that the force
-kernel books as lost.
+The area of a loop is the energy that its element dissipates, equal to the sum of the powers in the kernel's
+ledger.
 """
 
 from dataclasses import replace
@@ -31,12 +31,12 @@ class Loop(NamedTuple):
     title: str
     axis: int  # of the motion: X .. YAW
     displacement: FloatArray  # (n,) of body B against A along the axis, DOWN for Z, from the drawing [m, rad]
-    force: FloatArray  # (n,) that B needs to be held there, in the same direction [N] or [N m]
+    force: FloatArray  # (n,) on B from outside that holds it there, in the same direction [N] or [N m]
     dissipated: float  # by the kernel's ledger [J]
 
     @property
     def area(self) -> float:
-        """Work that the cycle takes [J]."""
+        """Work done on the element in the cycle [J]."""
         return float(np.trapezoid(self.force, self.displacement))
 
 
@@ -45,8 +45,13 @@ def bogie_loops(vehicle: Vehicle, case: Case) -> tuple[Loop, ...]:
 
     Parameters
     ----------
-    vehicle : on three-piece bogies, with its couplings at their static deflection; the load decides friction
-    case : any case that the vehicle can run
+    vehicle : on three-piece bogies; its static loads determine the friction
+    case : any case in which the vehicle can run
+
+    Raises
+    ------
+    ValueError
+        The vehicle does not run on three-piece bogies.
     """
     wheelsets = {wheelset.body for wheelset in vehicle.wheelsets}
     carried = sum(body.mass for body in vehicle.bodies if body.name not in wheelsets)
@@ -71,8 +76,8 @@ def bogie_loops(vehicle: Vehicle, case: Case) -> tuple[Loop, ...]:
         ("side bearer, longitudinal", (bearer,), X, 0.0, 0.01, {}),
     )
     return tuple(
-        drive(vehicle, case, title, group, axis, _cycle(axis, middle, amplitude, held))
-        for title, group, axis, middle, amplitude, held in motions
+        drive(vehicle, case, title, group, axis, _cycle(axis, middle, amplitude, fixed))
+        for title, group, axis, middle, amplitude, fixed in motions
     )
 
 
@@ -83,6 +88,8 @@ def drive(
 
     Parameters
     ----------
+    vehicle, case : as for `bogie_loops`
+    title : of the loop
     group : couplings between the same bodies; B turns about the middle of their points
     axis : of the path, X .. YAW
     path : (n, 6) displacement and small rotation of B relative to A; its last point is its first [m, rad]
@@ -121,11 +128,11 @@ def drive(
     return Loop(title, axis, sense * path[:, axis], sense * forces, float(lost))
 
 
-def _cycle(axis: int, middle: float, amplitude: float, held: dict[int, float]) -> FloatArray:
-    """(n, 6) path from the lower end to the upper and back; all but the axis stays where it is held."""
+def _cycle(axis: int, middle: float, amplitude: float, fixed: dict[int, float]) -> FloatArray:
+    """(n, 6) path from the lower end to the upper and back along the axis; the other places are fixed."""
     there = np.linspace(middle - amplitude, middle + amplitude, _POINTS)
     path = np.zeros((2 * _POINTS - 1, 6))
-    for other, value in held.items():
+    for other, value in fixed.items():
         path[:, other] = value
     path[:, axis] = np.concatenate([there, there[-2::-1]])
     return path

@@ -1,25 +1,25 @@
-"""What the force kernel of a whole vehicle needs: the model, its work space, and the layout of coordinates.
+"""Data of the force kernel by lifetime - constant model, inputs, work space - and the layout of coordinates.
 
 Coordinates: six per body (position of the centre of mass in the global frame, rotation vector); on flexible
-track seven per wheelset (`track.support.flexibility`); four per wheelset, two for each wheel, whose
-VELOCITIES are the longitudinal and lateral slip velocity of wheel on rail as the creepage feels them, in the
-axes of that rail's frame R (`contact.types.RailMotion`). Velocities: global
-velocity and LOCAL angular velocity, as Exudyn's `NodeRigidBodyRotVecLG` has them; generalized forces are the
-conjugate global force and local torque.
+track seven per wheelset (`track.support.flexibility`); four per wheelset, two for each wheel: their
+VELOCITIES are the longitudinal and lateral slip velocity of wheel on rail as they enter the creepage, in the
+axes of that rail's frame R (`contact.types.RailMotion`). Velocities: global velocity and LOCAL angular
+velocity, as Exudyn's `NodeRigidBodyRotVecLG` has them; generalized forces are the conjugate global force and
+local torque.
 
-Why the creepage feels them late: a steady-state creep force answers a sudden velocity at once, as a damper
-C/V of 1 MN s/m and, at low speed, much more, on a rail of 150 kg or on a wheelset's spin. A real contact must
-roll about one semi-axis a before its traction is built up (from Cattaneo's shift to Carter's rolling; Kalker,
-Three-Dimensional Elastic Bodies in Rolling Contact, 1990, chapter 5, quoted from memory); until then it is a
-spring of stiffness C/a, about that of Mindlin. So the velocity u that the creepage feels follows the slip
-velocity v of the wheel on its rail with u' = (v - u) V/a. It is the slip that lags, rolling included: a wheel
-that rolls straight on where its rail bends has a new direction against the rail, but no slip, and must not
-feel any. Steady rolling is untouched; without the lag the explicit integration would need steps that shrink
-with the speed, and what it does beyond its limit looks like creep.
+Why the creepage follows with a delay: a steady-state creep force answers a sudden velocity at once, as a
+damper C/V of 1 MN s/m and, at low speed, much more, on a rail of 150 kg or on a wheelset's spin. A real
+contact must roll about one semi-axis a before its traction is built up (from Cattaneo's shift to Carter's
+rolling; Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990, chapter 5, quoted from memory);
+until then it is a spring of stiffness C/a, about that of Mindlin. So the velocity u in the creepage follows
+the slip velocity v of the wheel on its rail with u' = (v - u) V/a. It is the slip that lags, rolling
+included: a wheel that rolls straight on where its rail bends has a new direction against the rail, but no
+slip, and must not get any creepage from it. Steady rolling is untouched; without the lag the explicit
+integration would need steps that shrink with the speed, and its instability beyond them looks like creep.
 """
 
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -36,20 +36,6 @@ TRACK_COORDINATES = 7  # per wheelset, on flexible track
 CREEP_COORDINATES = 4  # per wheelset: left longitudinal, left lateral, right longitudinal, right lateral
 
 
-class Kind(IntEnum):
-    """Kind of a coupling in the kernel."""
-
-    AXLE_BOX_PAD = 0
-    SPRING_NEST = 1
-    WEDGE = 2
-    CENTRE_PLATE = 3
-    SIDE_BEARER = 4
-    BUSHING = 5
-    ROD = 6
-    BUMP_STOP = 7
-    AXLE_BOX = 8
-
-
 class Ledger(IntEnum):
     """Powers of one evaluation [W], dissipation positive, and the force of the train [N]."""
 
@@ -63,38 +49,35 @@ class Ledger(IntEnum):
 
 
 SLIDERS = 4  # slider coordinates reserved for each coupling
-PARAMETERS = 25  # numbers reserved for each coupling
 
 
 class Couplings(NamedTuple):
     """All couplings of a vehicle as arrays, one row each."""
 
-    kind: IntArray  # (n,) a `Kind`
+    kind: IntArray  # (n,) number of the family in `couplings.dispatch.FAMILIES`
     body_a: IntArray  # (n,)
     body_b: IntArray  # (n,)
     point_a: FloatArray  # (n, 3) in the axes of body A from its centre of mass [m]
     point_b: FloatArray  # (n, 3) of body B
-    parameters: FloatArray  # (n, PARAMETERS) in the order of the force laws in `couplings`
+    numbers: Any  # (n,) numbers of its family by name, in the field of the family's name
 
 
 class Train(NamedTuple):
-    """The train the vehicle is coupled to: it runs at constant speed, or as a controller moves it."""
+    """The train coupled to the vehicle: at constant speed, or moved by a controller (`Inputs`)."""
 
     bodies: IntArray  # (heads,) body number of each coupler head
     heads: FloatArray  # (heads, 3) coupler heads in the axes of their bodies [m]
-    start: FloatArray  # (heads,) arc length of the heads at time 0 without coupler force [m]
+    start: FloatArray  # (heads,) arc length of the heads on the drawing, at time 0 [m]
     stiffness: float  # all heads together [N/m]
     damping: float  # [N s/m]
     speed: float  # at the start [m/s]
-    through: FloatArray  # (heads,) force that it passes on through the vehicle, forwards [N]
-    course: FloatArray  # (2,) way of the train less its speed times time [m], and its speed [m/s]
+    through: FloatArray  # (heads,) force of the rest of the train through the vehicle, forwards [N]
 
 
 class Drives(NamedTuple):
-    """Torques of motors on wheelsets, with their reactions; none where the train pulls the vehicle."""
+    """Motors that turn wheelsets, with their reactions; none where the train pulls the vehicle."""
 
     bodies: IntArray  # (drives, 2) body numbers of wheelset and motor
-    torque: FloatArray  # (drives,) on the wheelset about its axle, forwards [N m]; a controller writes it
 
 
 class Brakes(NamedTuple):
@@ -109,7 +92,7 @@ class Brakes(NamedTuple):
 
 
 class SystemModel(NamedTuple):
-    """Everything constant about a vehicle on a track."""
+    """Everything constant about a vehicle on a track: nothing writes to it after `assembly.assemble`."""
 
     mass: FloatArray  # (bodies,) [kg]
     weight: FloatArray  # (bodies,) [N]
@@ -129,9 +112,22 @@ class SystemModel(NamedTuple):
     brakes: Brakes
 
 
-class Workspace(NamedTuple):
-    """Arrays that the kernel fills; `generalized_force` is its result."""
+class Inputs(NamedTuple):
+    """Quantities set by the equilibrium and by controllers; the kernels only read them."""
 
+    train_start: FloatArray  # (heads,) arc length of the coupler heads at time 0 without coupler force [m]
+    train_course: (
+        FloatArray  # (2,) place of the train at time 0 as its speed now extrapolates it [m], speed [m/s]
+    )
+    drive_torque: FloatArray  # (drives,) of each motor on its wheelset about the axle, forwards [N m]
+    coupling_shift: FloatArray  # (couplings,) of the force-free place along x of body A [m]
+    coupling_stiffness: FloatArray  # (couplings,) factor on the longitudinal stiffness of axle-box pads
+
+
+class Workspace(NamedTuple):
+    """Inputs, and arrays that the kernel fills; `generalized_force` is its result."""
+
+    inputs: Inputs
     position: FloatArray  # (bodies, 3)
     rotation: FloatArray  # (bodies, 3, 3) body to global
     velocity: FloatArray  # (bodies, 3)
@@ -159,27 +155,65 @@ class Workspace(NamedTuple):
 
 @inlined_kernel
 def first_track(model: SystemModel) -> int:
-    """Number of the first coordinate of the track."""
+    """Number of the first coordinate of the track.
+
+    Parameters
+    ----------
+    model : its bodies are counted
+    """
     return BODY_COORDINATES * model.mass.size
 
 
 @inlined_kernel
 def first_creep(model: SystemModel) -> int:
-    """Number of the first creep coordinate."""
+    """Number of the first creep coordinate.
+
+    Parameters
+    ----------
+    model : its bodies and wheelsets are counted
+    """
     track = TRACK_COORDINATES * model.wheelsets.size if model.flexible else 0
     return BODY_COORDINATES * model.mass.size + track
 
 
 def coordinates(model: SystemModel) -> int:
-    """Number of coordinates of the model."""
+    """Number of all coordinates of a model.
+
+    Parameters
+    ----------
+    model : numbers of bodies and wheelsets, and the kind of track, are read
+    """
     return first_creep(model) + CREEP_COORDINATES * len(model.wheelsets)
 
 
+def drawn_inputs(model: SystemModel) -> Inputs:
+    """Inputs without controller: the train where the drawing has it at its speed, no torques.
+
+    Parameters
+    ----------
+    model : numbers of couplings and drives, and the train, are read
+    """
+    couplings = model.couplings.kind.size
+    return Inputs(
+        train_start=model.train.start.copy(),
+        train_course=np.array([0.0, model.train.speed]),
+        drive_torque=np.zeros(len(model.drives.bodies)),
+        coupling_shift=np.zeros(couplings),
+        coupling_stiffness=np.ones(couplings),
+    )
+
+
 def workspace(model: SystemModel) -> Workspace:
-    """Work space for the model, all zero."""
+    """Work space for the model, all zero, with the inputs `drawn_inputs`.
+
+    Parameters
+    ----------
+    model : its sizes and its train are read
+    """
     bodies = len(model.mass)
     wheelsets = len(model.wheelsets)
     return Workspace(
+        inputs=drawn_inputs(model),
         position=np.zeros((bodies, 3)),
         rotation=np.zeros((bodies, 3, 3)),
         velocity=np.zeros((bodies, 3)),

@@ -1,4 +1,4 @@
-"""`simulate_once(case, directory)`: a run that exists already is not made again."""
+"""`simulate_once(case, directory)`: a finished run is reused, not repeated."""
 
 from pathlib import Path
 
@@ -8,11 +8,11 @@ from hh_exudyn.multibody.simulate import Progress, simulate
 
 
 def simulate_once(case: Case, directory: Path | str, progress: Progress | None = None) -> Run:
-    """The run of a case in a directory: as it is where it has finished, else simulated from its start.
+    """The run of a case in a directory: the finished one there, or else a new simulation.
 
-    So a study over many cases, one directory each, may be stopped at any time and begun again. What was left
-    of a run that was cut off is removed; two processes may therefore not work on the same directory. A case
-    does not say which version of the toolkit ran it: after an update begin with an empty folder.
+    So a study over many cases, one directory each, may be stopped at any time and started again. The logs of
+    an unfinished run are removed; two processes must therefore not work on the same directory. A case does
+    not record the version of the toolkit: after an update start with an empty folder.
 
     Parameters
     ----------
@@ -21,7 +21,7 @@ def simulate_once(case: Case, directory: Path | str, progress: Progress | None =
     Raises
     ------
     FileExistsError
-        The directory holds a run of another case, or something else. Nothing was changed.
+        The directory holds a run of another case, or other files. Nothing was changed.
     ValueError, NoEquilibrium, SimulationStopped, KeyboardInterrupt
         As `simulate` does.
     """

@@ -1,4 +1,4 @@
-"""What keeps a vehicle out of its equilibrium: the largest force that remains, and what acts on that body."""
+"""Report on a failed equilibrium: the largest residual force, and the forces on its body."""
 
 import numpy as np
 
@@ -19,14 +19,19 @@ from hh_exudyn.multibody.system import evaluate_bundle
 from track.support.substructure import DOFS
 
 _DIRECTIONS = ("along the track", "to the left", "upwards", "in roll", "in pitch", "in yaw")
-_SHARES = 3  # of what acts there that are named, the largest ones
-_LEAST_SHARE = 1e-3  # of the largest, below it none is named
+_SHARES = 3  # the largest forces on the body that are named
+_LEAST_SHARE = 1e-3  # of the largest force; smaller ones are not named
 _BOUND = 0.99  # of friction times normal force, from which a wheel slides
 _WEIGHT = "its weight"
 
 
 def remaining_force(rolling: RollingVehicle) -> str:
-    """The largest residual force in words: how much, where, and which couplings and wheels make it up."""
+    """The largest residual force in words: its value, its place, and the couplings and wheels in it.
+
+    Parameters
+    ----------
+    rolling : the vehicle in the state to be reported
+    """
     force = rolling.forces().copy()
     size = np.where(np.isfinite(force), np.abs(force), np.inf)
     worst = int(np.argmax(size))
@@ -69,7 +74,7 @@ def _loads(rolling: RollingVehicle, wheelset: int) -> str:
 
 
 def _sliding(rolling: RollingVehicle) -> int:
-    """Number of wheels whose creep forces are all that friction allows."""
+    """Number of wheels with creep forces at the bound of friction."""
     patches = rolling.work.patches
     creep = np.hypot(patches[..., Patch.FORCE_X], patches[..., Patch.FORCE_Y]).sum(axis=2)
     bound = (patches[..., Patch.FRICTION] * patches[..., Patch.NORMAL_FORCE]).sum(axis=2)
@@ -77,7 +82,7 @@ def _sliding(rolling: RollingVehicle) -> int:
 
 
 def _shares(rolling: RollingVehicle, body: int, direction: int) -> dict[str, float]:
-    """What couplings, weight, wheels, and train, drives and brakes put onto a body [N or N m], by name."""
+    """Force of couplings, weight, wheels, and of train, drives and brakes on a body [N or N m], by name."""
     model = rolling.model
     k = BODY_COORDINATES * body + direction
     whole = float(rolling.forces()[k])
@@ -99,10 +104,15 @@ def _shares(rolling: RollingVehicle, body: int, direction: int) -> dict[str, flo
 
 
 def _with_couplings(rolling: RollingVehicle, which: slice) -> FloatArray:
-    """Generalized forces with some of the couplings alone."""
+    """Generalized forces with a part of the couplings alone."""
     model = rolling.model
-    some = model._replace(couplings=Couplings._make(part[which] for part in model.couplings))
-    work = workspace(some)
+    couplings, inputs = model.couplings, rolling.work.inputs
+    some = model._replace(couplings=Couplings._make(part[which] for part in couplings))
+    work = workspace(some)._replace(
+        inputs=inputs._replace(
+            coupling_shift=inputs.coupling_shift[which], coupling_stiffness=inputs.coupling_stiffness[which]
+        )
+    )
     work.arc_length[:] = rolling.work.arc_length
     evaluate_bundle(Bundle(some, work), rolling.sliders[which], rolling.q, rolling.v, 0.0, True)
     return work.generalized_force

@@ -1,9 +1,9 @@
 """The state of a vehicle that rolls straight ahead at constant speed in one place of its track.
 
-The wheels roll, so the free coordinates of a wheelset's pitch and of the creepage are rates, not places. The
-vehicle stands at a given place, so that of the place of the front coupler head's body is the train's, which
-is left in `model.train.start`; of a driven vehicle it is the torque of its drives, alike for all, left in
-`model.drives.torque`, while the train keeps its distance from the coupler head, and so its force.
+The wheels roll, so the unknowns of a wheelset's pitch and of the creepage are rates, not places. The vehicle
+stands at a given place, so the unknown of the front coupler head's body is the place of the train
+(`Inputs.train_start`); that of a driven vehicle is the torque of its drives, the same for all
+(`Inputs.drive_torque`), while the train stays at its distance from the coupler head, and so its force.
 """
 
 import math
@@ -28,33 +28,38 @@ from track.course.alignment import inclined_frame, inclined_rotation
 from vehicles.description import Vehicle
 from vehicles.start import start_middle
 
-LENGTH_SCALE = 1e-3  # m and rad, of the way from the drawing to the equilibrium
-_HEIGHT_RANGE = 5e-3  # m, in which the wheels meet the rails: profiles and track height differ by less
+LENGTH_SCALE = 1e-3  # m and rad, of the displacements from the drawing to the equilibrium
+_HEIGHT_RANGE = 5e-3  # m, range of heights to search: profiles and track height differ by less
 _DEFLECTION_GUESS = 2e-3  # m, of the track under a loaded wheel
 
 
 class NoEquilibrium(RuntimeError):
-    """No static equilibrium was found; the text says what force remains, and where."""
+    """No static equilibrium was found; the text names the residual force and its place."""
 
 
 class Snapshot(NamedTuple):
-    """Everything that is free of a rolling vehicle."""
+    """All unknowns of a rolling vehicle."""
 
     q: FloatArray
     v: FloatArray
-    train: FloatArray  # `model.train.start`
-    torque: FloatArray  # `model.drives.torque`
+    train: FloatArray  # `Inputs.train_start`
+    torque: FloatArray  # `Inputs.drive_torque`
 
 
 class RollingVehicle:
-    """The state of a rolling vehicle, begun from its drawing.
+    """The state of a rolling vehicle, at first as on its drawing.
+
+    Parameters
+    ----------
+    vehicle, model : description, and its model on a track
+    work : work space; its inputs are part of the state
 
     Attributes
     ----------
     q, v : coordinates and velocities (layout: `model`)
-    still : velocities of all that has settled; those that are free are zero in it
-    rates : numbers of the coordinates whose velocity is free and whose place is zero
-    place : number of the coordinate that says where the vehicle stands; it keeps its value
+    still : (coordinates,) velocities after settling; zero in the place of those that are unknowns
+    rates : numbers of the coordinates with an unknown velocity; their places are zero
+    place : number of the coordinate along the track of the vehicle's place, which is constant
     along : (3,) direction of the track there
 
     Raises
@@ -65,16 +70,17 @@ class RollingVehicle:
 
     def __init__(self, vehicle: Vehicle, model: SystemModel, work: Workspace) -> None:
         self.vehicle, self.model, self.work = vehicle, model, work
+        self.inputs = work.inputs
         self.bundle = Bundle(model, work)
         self.sliders = np.zeros_like(work.new_sliders)
-        self.driven = model.drives.torque.size > 0
+        self.driven = work.inputs.drive_torque.size > 0
         self.weight = float(model.weight.sum())
         middle = start_middle(vehicle)
         for i, wheelset in enumerate(vehicle.wheelsets):
             work.arc_length[i] = middle + vehicle.body(wheelset.body).position[0]
-        work.arc_length[len(vehicle.wheelsets) :] = model.train.start
+        work.arc_length[len(vehicle.wheelsets) :] = work.inputs.train_start
         self._rear = middle + min(point[0] for point in vehicle.coupler.points)
-        self._start = model.train.start.copy()
+        self._start = work.inputs.train_start.copy()
         spins = [BODY_COORDINATES * int(i) + 4 for i in model.wheelsets]
         self.rates = np.array([*spins, *range(first_creep(model), coordinates(model))])
         self.place = BODY_COORDINATES * int(model.train.bodies[0])
@@ -89,29 +95,37 @@ class RollingVehicle:
         return self.work.generalized_force
 
     def pull_as_before(self) -> None:
-        """Let the train of a driven vehicle keep its distance from the coupler head, after `forces`."""
-        self.model.train.start[:] = self._start + self.work.arc_length[-1] - self._rear
+        """Move the train of a driven vehicle to its distance from the coupler head, after `forces`."""
+        self.inputs.train_start[:] = self._start + self.work.arc_length[-1] - self._rear
 
     def settled(self) -> None:
-        """Take off all velocities that a vehicle at rest does not have, and move it back to its place."""
+        """Set all velocities but the unknown ones to those at rest, and move the vehicle to its place."""
         rates = self.v[self.rates].copy()
         self.v[:] = self.still
         self.v[self.rates] = rates
         moved = (self.q[self.place] - self._stands) / self.along[0]
         for axis in range(3):
             self.q[axis : first_track(self.model) : BODY_COORDINATES] -= moved * self.along[axis]
-        self.model.train.start[:] -= moved * self.along[0]
+        self.inputs.train_start[:] -= moved * self.along[0]
 
     def snapshot(self) -> Snapshot:
-        """A copy of all that is free."""
+        """A copy of all unknowns."""
         return Snapshot(
-            self.q.copy(), self.v.copy(), self.model.train.start.copy(), self.model.drives.torque.copy()
+            self.q.copy(),
+            self.v.copy(),
+            self.inputs.train_start.copy(),
+            self.inputs.drive_torque.copy(),
         )
 
     def restore(self, state: Snapshot) -> None:
-        """Go back to a snapshot."""
+        """Return to a snapshot.
+
+        Parameters
+        ----------
+        state : from `snapshot`
+        """
         self.q[:], self.v[:] = state.q, state.v
-        self.model.train.start[:], self.model.drives.torque[:] = state.train, state.torque
+        self.inputs.train_start[:], self.inputs.drive_torque[:] = state.train, state.torque
 
     def _draw(self, middle: float) -> None:
         """The drawing, deflected, lowered until the wheels carry the weight; all at the train's speed.
@@ -122,7 +136,7 @@ class RollingVehicle:
         self.q, self.v = np.zeros(coordinates(model)), np.zeros(coordinates(model))
         track = _DEFLECTION_GUESS if model.flexible else 0.0
         *origin, _, pitch, _, _, _ = inclined_frame(model.alignment, middle)
-        speed = model.train.speed / math.cos(pitch)  # the train's counts in plan
+        speed = model.train.speed / math.cos(pitch)  # the train's is in plan
         turn = np.empty((3, 3))
         inclined_rotation(0.0, pitch, 0.0, turn)
         self.along = turn[:, 0].copy()
@@ -164,9 +178,9 @@ class RollingVehicle:
         self.q[heights] = drawn + brentq(lack_of_load, -_HEIGHT_RANGE, _HEIGHT_RANGE, xtol=1e-7)
 
     def _hang_on(self, unit: int) -> None:
-        """Move a unit as a whole along the track, to where its drawbar and its coupler hold it.
+        """Move a unit as a whole along the track to the balance of its drawbar and its coupler.
 
-        The friction between its bodies would give way on the solver's first steps, if that were left to them.
+        Left to the root search, its first steps would make the friction between the unit's bodies slide.
         """
         bodies = self.vehicle.bodies
         mine = [i for i, body in enumerate(bodies) if self.vehicle.unit_of(body.name) == unit]
@@ -179,5 +193,5 @@ class RollingVehicle:
 
         here = pull(0.0)
         stiffness = (here - pull(LENGTH_SCALE)) / LENGTH_SCALE
-        # a unit that nothing holds stays
+        # a unit without drawbar and coupler stays in place
         self.q[own] = drawn + (here / stiffness if stiffness > 0.0 else 0.0)

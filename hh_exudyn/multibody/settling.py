@@ -1,10 +1,10 @@
-"""Settling in time: a vehicle rolls in its place of the track until damping has taken all its motion.
+"""Settling in time: a vehicle rolls in its place of the track until its motion is damped out.
 
-Where a root search jumps to and fro between the branches of a force that rises and falls steeply (contact
-that goes from the tread to the flange root), motion follows the force and ends where a disturbance dies out.
+A root search can alternate between the branches of a force that rises and falls steeply (contact that moves
+from the tread to the flange root); motion follows the force and ends in a stable state.
 The bodies move by their masses under all forces of the kernel and under one more, -RATE M (v - v0), against
-every velocity but the common one; the wheels go on rolling. What the train (or the drives) must give to keep
-the speed follows the sum of the forces along the track.
+every velocity but the common one; the wheels go on rolling. The force of the train (or of the drives) that
+maintains the speed follows the sum of the forces along the track.
 """
 
 import math
@@ -19,17 +19,21 @@ from hh_exudyn.multibody.rolling import RollingVehicle
 
 RATE = 12.0  # 1/s, of the added damping: with it bounce at 2 Hz is critically damped to a half
 _FOLLOWING = 0.1  # s, in which train and drives follow the forces along the track
-# s; at a jump of the force no step is short enough for the tolerance: the shortest is stable, and is taken
+# s; at a jump of the force no step meets the tolerance: the shortest one, which is stable, is used there
 _SHORTEST_STEP, _FIRST_STEP, _LONGEST_STEP = 5e-5, 2e-4, 5e-3
 _RELATIVE, _PLACE, _RATE = 1e-4, 1e-8, 1e-6  # tolerances of a step: relative, m and rad, m/s and rad/s
 
 
 class Settling:
-    """The motion of a vehicle from its present state on, damped.
+    """The damped motion of a vehicle from its present state on.
+
+    Parameters
+    ----------
+    rolling : the vehicle; its state is moved
 
     Attributes
     ----------
-    time : that has passed in the motion [s]
+    time : since the start of the motion [s]
     """
 
     def __init__(self, rolling: RollingVehicle) -> None:
@@ -45,23 +49,23 @@ class Settling:
         self._torque_rate = 0.0
         if rolling.driven:
             radius = rolling.vehicle.wheelsets[0].radius
-            self._torque_rate = radius / model.drives.torque.size / _FOLLOWING
+            self._torque_rate = radius / rolling.inputs.drive_torque.size / _FOLLOWING
         self.time = 0.0
         self._tolerance = np.repeat([_PLACE, _RATE], size)
         self._step = _FIRST_STEP
         self._y = np.concatenate([np.zeros(size), rolling.v - rolling.still])
 
     def run(self, end: float, deadline: float) -> bool:
-        """Go on to a time of the motion [s] and leave its state, without its velocities, in the vehicle.
+        """Continue to a time of the motion and set the vehicle to the state there, with velocities at rest.
 
         Parameters
         ----------
         end : of the motion [s]
-        deadline : `time.thread_time()` at which to give up [s]
+        deadline : `time.thread_time()` at which the motion is aborted [s]
 
         Returns
         -------
-        Whether the end was reached: before the deadline, and with forces that are finite.
+        Whether the end was reached before the deadline and with finite forces.
         """
         while self.time < end and time.thread_time() < deadline:
             y, step = self._stepped()
@@ -108,13 +112,13 @@ class Settling:
         return np.concatenate([self._moves * moving, acceleration])
 
     def _follow(self, step: float) -> None:
-        """What the train or the drives give less, where all forces together push the vehicle on."""
+        """Reduce the force of train or drives by a share of the sum of all forces along the track."""
         rolling = self._rolling
         model, force = rolling.model, rolling.work.generalized_force
         bodies = force[: first_track(model)].reshape(-1, BODY_COORDINATES)[:, :3]
         push = float((bodies @ rolling.along).sum())
         if rolling.driven:
-            model.drives.torque[:] -= push * self._torque_rate * step
+            rolling.inputs.drive_torque[:] -= push * self._torque_rate * step
             rolling.pull_as_before()
         else:
-            model.train.start[:] -= push / model.train.stiffness * step / _FOLLOWING
+            rolling.inputs.train_start[:] -= push / model.train.stiffness * step / _FOLLOWING

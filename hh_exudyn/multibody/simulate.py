@@ -31,12 +31,12 @@ Progress = Callable[[float, str], None]
 
 
 class SimulationStopped(RuntimeError):
-    """A run ended before its end; the log so far is kept.
+    """A run stopped before its end; the log up to there is complete.
 
     Attributes
     ----------
     reason : "derailment" or "divergence"
-    wheel : "1L", "2R", ... or "" where no wheel is to blame
+    wheel : "1L", "2R", ... or "" for the whole vehicle
     time : [s] since the start
     position : arc length of the leading wheelset in the last sound state [m]
     """
@@ -61,10 +61,10 @@ def simulate(
 
     Parameters
     ----------
-    case : what to run
-    directory : where case.toml, vehicle.json, the logs and status.json go
-    progress : called now and then with the fraction done (0..1) and a line of text
-    vehicle : a description to run instead of the one that the case names
+    case : vehicle, track, speed, contact and integration
+    directory : for case.toml, vehicle.json, the logs and status.json; made if it does not exist
+    progress : called every `PROGRESS_INTERVAL` with the fraction done (0..1) and a line of text
+    vehicle : a description in place of the vehicle that the case names
 
     Raises
     ------
@@ -75,9 +75,9 @@ def simulate(
     NoEquilibrium
         No static equilibrium at the start; nothing was written.
     SimulationStopped
-        Derailment or divergence; the log so far is kept.
+        Derailment or divergence; the log up to there is complete.
     KeyboardInterrupt
-        Ctrl-C; the log so far is kept.
+        Ctrl-C; the log up to there is complete.
     """
     vehicle = vehicle or case.described_vehicle()
     model = assemble(vehicle, case)
@@ -116,8 +116,8 @@ def simulate(
 class _Integration:
     """The time integration of one run: Exudyn's callbacks, sliders, logging and the reasons to stop.
 
-    Exudyn calls the force function several times a step. The first call of a step evaluates the state that
-    was accepted last: sliders are committed and logs are written there, without an evaluation of their own.
+    Exudyn calls the force function several times a step. The first call of a step evaluates the last accepted
+    state: sliders are committed and logs are written then, without an evaluation of their own.
     """
 
     def __init__(
@@ -155,12 +155,17 @@ class _Integration:
         self.times: dict[str, float] = {}
 
     def run(self, track_length: float, progress: Progress | None) -> None:
-        """Integrate until the leading coupler head would be at the end of the track at the case's speed.
+        """Integrate for the time of the leading coupler head to the end of the track at the case's speed.
 
-        A vehicle that drives itself may get there earlier, and then stops.
+        The run of a driven vehicle ends earlier if it reaches the end of the track before.
+
+        Parameters
+        ----------
+        track_length : [m]
+        progress : as for `simulate`
         """
         self._progress = progress
-        front = float(self._model.train.start.max())
+        front = float(self._work.inputs.train_start.max())
         if self._control is not None:
             front = self._control.front
             self._end = track_length - (front - float(self._work.arc_length[0]))
@@ -168,8 +173,8 @@ class _Integration:
         mbs = exudyn_system(self._model, self._state.q, self._state.v, self._forces, self._after_step)
         settings = explicit_settings(self._duration, self._step)
         start = clock.perf_counter()
-        # Exudyn prints that user functions allocate memory, which a Python function cannot avoid; what goes
-        # wrong comes as an exception
+        # Exudyn prints that user functions allocate memory, which a Python function cannot avoid; failures
+        # come as exceptions
         exu.config.printToConsole = False
         try:
             with self._interruption:
@@ -177,7 +182,7 @@ class _Integration:
             if self._accepted and not self._interruption.wanted:
                 self._forces(mbs, self._steps * self._step, 0, None, None)  # the last state, to log it too
         except Exception as error:
-            # Exudyn reports an exception of a user function as its own failure: the kept one tells more
+            # Exudyn reports an exception of a user function as its own failure: the original one says more
             self._error = self._error or error
         finally:
             wall = clock.perf_counter() - start
@@ -195,9 +200,9 @@ class _Integration:
             raise self._error
 
     def _forces(self, mbs: Any, time: float, item: int, q: Any, q_t: Any) -> list[float]:
-        """Exudyn's force function: one kernel call; never raises, since Exudyn would hide the reason."""
+        """Exudyn's force function: one kernel call; it never raises, since Exudyn would hide the reason."""
         start = clock.perf_counter()
-        # the same numbers as in the argument lists, four times faster
+        # the same numbers as q and q_t, four times faster than these lists
         q = mbs.systemData.GetODE2Coordinates()
         v = mbs.systemData.GetODE2Coordinates_t()
         kernel_start = clock.perf_counter()
@@ -216,22 +221,22 @@ class _Integration:
 
     @property
     def floored(self) -> int:
-        """Contact states, one per step and patch, whose lateral curvature met its floor."""
+        """Number of contact states, one per step and patch, with lateral curvature at its floor."""
         return int(self._watch.floored.sum())
 
     def _commit(self, time: float, v: FloatArray, status: int) -> bool:
-        """The state just evaluated is the accepted one: keep its sliders, look for trouble, log it, control.
+        """Commit the sliders of the accepted state, check it, log it, and call the controllers.
 
-        Whether a controller has acted.
+        Returns whether a controller has acted. Raises SimulationStopped on derailment or divergence.
         """
         self._sliders[:] = self._work.new_sliders
         if status:  # the contact kernel's: 1 + number of the wheel
-            trouble, (wheelset, side) = int(Trouble.NOT_FINITE), divmod(status - 1, 2)
+            trouble, (wheelset, side) = Trouble.NOT_FINITE, divmod(status - 1, 2)
         else:
             trouble, wheelset, side = look_bundle(self._watched, self._step)
         if trouble:
             wheel = f"{wheelset + 1}{'LR'[side]}" if wheelset >= 0 else ""
-            raise SimulationStopped(*REASONS[Trouble(trouble)], wheel, time, self._position)
+            raise SimulationStopped(*REASONS[trouble], wheel, time, self._position)
         self._position = float(self._work.arc_length[0])
         if self._steps % self._steps_per_output == 0:
             self._log.write(time, v)

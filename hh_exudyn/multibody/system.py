@@ -26,14 +26,6 @@ from track.course.rail_frame import RailShift, rail_frame
 from track.irregularity.table import irregularity_at
 from track.support.substructure import rail_shift, track_forces
 
-_FORCE = int(Ledger.COUPLER_FORCE)
-_COUPLER = int(Ledger.COUPLER_POWER)
-_CONTACT = int(Ledger.CONTACT_POWER)
-_DAMPER = int(Ledger.DAMPER_POWER)
-_DRIVE = int(Ledger.DRIVE_POWER)
-_POWER = int(Patch.POWER)
-_A = int(Patch.A)
-
 
 @inlined_kernel
 def evaluate(
@@ -47,8 +39,18 @@ def evaluate(
 ) -> int:
     """Fill `work.generalized_force` for the coordinates q and velocities v (layout: `model`).
 
-    Returns 0, or the status of `wheel_rail_forces` (1 + number of the wheel that became NaN, counted
-    1L, 1R, 2L, ...). With `settle` friction elements are those of `coupling_forces`.
+    Parameters
+    ----------
+    model, work : constant model; inputs and work space
+    sliders : (couplings, SLIDERS) friction sliders of the last accepted step [m] or [rad]
+    q, v : (coordinates,) coordinates and velocities
+    time : since the start [s]
+    settle : for the equilibrium: friction as in `coupling_forces`, and no passing of sleepers
+
+    Returns
+    -------
+    0, or the status of `wheel_rail_forces`: 1 + number of the wheel with forces that are not finite, counted
+    1L, 1R, 2L, ...
     """
     for k in range(work.ledger.size):
         work.ledger[k] = 0.0
@@ -83,7 +85,13 @@ def evaluate(
 def evaluate_bundle(
     bundle: Bundle, sliders: FloatArray, q: FloatArray, v: FloatArray, time: float, settle: bool
 ) -> int:
-    """`evaluate` for a bundle of model and work space: the call that is made ten thousand times a second."""
+    """`evaluate` for a bundle of model and work space: called from Python ten thousand times a second.
+
+    Parameters
+    ----------
+    bundle : model and work space
+    sliders, q, v, time, settle : as for `evaluate`
+    """
     return evaluate(bundle.model, bundle.work, sliders, q, v, time, settle)
 
 
@@ -105,11 +113,12 @@ def _body_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArr
 
 @inlined_kernel
 def _train_forces(model: SystemModel, work: Workspace, time: float) -> None:
-    """The train pulls at the coupler heads along the track, as if its neighbours kept to their course.
+    """Forces of the train on the coupler heads along the track; its neighbours follow the track exactly.
 
-    Places and the speed of the train count in plan, as chainage does; the force points along the gradient.
+    Places and the speed of the train are in plan, as chainage is; the force points along the gradient.
     """
-    train = model.train
+    train, inputs = model.train, work.inputs
+    course = inputs.train_course
     heads = train.bodies.size
     for head in range(heads):
         body = train.bodies[head]
@@ -133,30 +142,30 @@ def _train_forces(model: SystemModel, work: Workspace, time: float) -> None:
             + (work.velocity[body, 2] + swing[2]) * ahead[2]
         )
         force = (
-            train.stiffness * (train.start[head] + train.course[0] + train.course[1] * time - s)
-            + train.damping * (train.course[1] - speed * level)
+            train.stiffness * (inputs.train_start[head] + course[0] + course[1] * time - s)
+            + train.damping * (course[1] - speed * level)
         ) / heads + train.through[head]
         vector = (force * ahead[0], force * ahead[1], force * ahead[2])
         add_to(work.force[body], vector, 1.0)
         add_to(work.torque[body], cross(arm, vector), 1.0)
-        work.ledger[_FORCE] += force
-        work.ledger[_COUPLER] += force * speed
+        work.ledger[Ledger.COUPLER_FORCE] += force
+        work.ledger[Ledger.COUPLER_POWER] += force * speed
 
 
 @inlined_kernel
 def _drive_torques(model: SystemModel, work: Workspace) -> None:
-    """Every motor turns its wheelset about the axle, and itself the other way."""
-    for drive in range(model.drives.torque.size):
+    """Torque of every motor on its wheelset about the axle, and its reaction on the motor."""
+    for drive in range(model.drives.bodies.shape[0]):
         wheelset = model.drives.bodies[drive, 0]
         motor = model.drives.bodies[drive, 1]
-        torque = model.drives.torque[drive]
+        torque = work.inputs.drive_torque[drive]
         turned = work.rotation[wheelset]
         axle = (turned[0, 1], turned[1, 1], turned[2, 1])
         add_to(work.torque[wheelset], axle, torque)
         add_to(work.torque[motor], axle, -torque)
         for axis in range(3):
             turn = work.angular_velocity[wheelset, axis] - work.angular_velocity[motor, axis]
-            work.ledger[_DRIVE] += torque * axle[axis] * turn
+            work.ledger[Ledger.DRIVE_POWER] += torque * axle[axis] * turn
 
 
 @inlined_kernel
@@ -203,10 +212,10 @@ def _rail_states(
     gauge: float,
     settle: bool,
 ) -> None:
-    """Where the rails under a wheelset lie, which way they run, and how their material moves.
+    """Position, direction and velocity of the rails under a wheelset.
 
-    With `settle` sleepers do not pass: the train's force at the start is its mean over them, and not what
-    holds the vehicle on the slopes between those where it happens to stand.
+    With `settle` sleepers do not pass: the train's force at the start is its mean over them, not the one that
+    balances the slopes between those under the vehicle at its start.
     """
     s = work.arc_length[w]
     irregular = irregularity_at(model.irregularity, s)
@@ -219,7 +228,7 @@ def _rail_states(
             shift = rail_shift(model.track, s, side, q[k:end])
             if settle:
                 shift = RailShift(shift.lateral, shift.vertical, 0.0, 0.0)
-            # of what the rail does below the wheel the passing of sleepers is no motion of its material
+            # the part of the rail's motion under the wheel that comes from passing sleepers moves no material
             speed = work.frame_velocity[w, 0]
             work.rail_velocity[w, side, 0] = v[k + 2 * side] - speed * shift.heading
             work.rail_velocity[w, side, 1] = v[k + 2 * side + 1] - speed * shift.slope
@@ -240,9 +249,9 @@ def _rail_states(
 
 @inlined_kernel
 def _creep_lags(model: SystemModel, work: Workspace, v: FloatArray, w: int) -> None:
-    """How far the slip that the creepages feel lies behind that of the wheels at their running circles.
+    """Lag of the slip in the creepages behind that of the wheels at their running circles.
 
-    What a patch lies off the running circle is small and not delayed.
+    The slip from a patch's distance to the running circle is small and not delayed.
     """
     k = first_creep(model) + CREEP_COORDINATES * w
     radius = model.wheel_rail.nominal_radius
@@ -275,7 +284,7 @@ def _contact_forces(model: SystemModel, work: Workspace) -> None:
         add_to(work.torque[body], rotate(frame, triple(work.wrench[w, 3:])), 1.0)
         for side in range(2):
             for patch in range(work.patches.shape[2]):
-                work.ledger[_CONTACT] += work.patches[w, side, patch, _POWER]
+                work.ledger[Ledger.CONTACT_POWER] += work.patches[w, side, patch, Patch.POWER]
 
 
 @inlined_kernel
@@ -292,12 +301,12 @@ def _generalized_forces(model: SystemModel, work: Workspace, q: FloatArray, v: F
         if model.flexible:
             k = first_track(model) + TRACK_COORDINATES * w
             end = k + TRACK_COORDINATES
-            work.ledger[_DAMPER] += track_forces(
+            work.ledger[Ledger.DAMPER_POWER] += track_forces(
                 model.track, work.arc_length[w], q[k:end], v[k:end], work.rail_force[w], result[k:end]
             )
         k = first_creep(model) + CREEP_COORDINATES * w
         for side in range(2):
-            transition = max(work.patches[w, side, 0, _A], model.shortest_transition)
+            transition = max(work.patches[w, side, 0, Patch.A], model.shortest_transition)
             rate = work.frame_velocity[w, 0] / transition
             for axis in range(2):
                 result[k + 2 * side + axis] = -rate * work.creep_lag[w, side, axis]
@@ -305,7 +314,13 @@ def _generalized_forces(model: SystemModel, work: Workspace, q: FloatArray, v: F
 
 @kernel
 def energies(model: SystemModel, work: Workspace, v: FloatArray) -> tuple[float, float]:
-    """Kinetic energy of bodies and track masses, and potential energy of gravity [J], after `evaluate`."""
+    """Kinetic energy of bodies and track masses, and potential energy of gravity [J], after `evaluate`.
+
+    Parameters
+    ----------
+    model, work : as for `evaluate`
+    v : (coordinates,) the velocities of that evaluation
+    """
     kinetic = 0.0
     potential = 0.0
     for i in range(model.mass.size):

@@ -10,19 +10,35 @@ Triple = tuple[float, float, float]
 
 @kernel
 def cross(a: Triple, b: Triple) -> Triple:
-    """Vector product."""
+    """Vector product.
+
+    Parameters
+    ----------
+    a, b : vectors
+    """
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 @kernel
 def dot(a: Triple, b: Triple) -> float:
-    """Scalar product."""
+    """Scalar product.
+
+    Parameters
+    ----------
+    a, b : vectors
+    """
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 @kernel
 def rotate(rotation: FloatArray, a: Triple) -> Triple:
-    """Rotation matrix (3, 3) times vector."""
+    """Rotation matrix (3, 3) times vector.
+
+    Parameters
+    ----------
+    rotation : (3, 3)
+    a : vector
+    """
     return (
         rotation[0, 0] * a[0] + rotation[0, 1] * a[1] + rotation[0, 2] * a[2],
         rotation[1, 0] * a[0] + rotation[1, 1] * a[1] + rotation[1, 2] * a[2],
@@ -32,7 +48,13 @@ def rotate(rotation: FloatArray, a: Triple) -> Triple:
 
 @kernel
 def rotate_back(rotation: FloatArray, a: Triple) -> Triple:
-    """Transpose of a rotation matrix (3, 3) times vector."""
+    """Transpose of a rotation matrix (3, 3) times vector.
+
+    Parameters
+    ----------
+    rotation : (3, 3)
+    a : vector
+    """
     return (
         rotation[0, 0] * a[0] + rotation[1, 0] * a[1] + rotation[2, 0] * a[2],
         rotation[0, 1] * a[0] + rotation[1, 1] * a[1] + rotation[2, 1] * a[2],
@@ -42,13 +64,25 @@ def rotate_back(rotation: FloatArray, a: Triple) -> Triple:
 
 @kernel
 def triple(row: FloatArray) -> Triple:
-    """The first three numbers of a row as a tuple."""
+    """The first three numbers of a row as a tuple.
+
+    Parameters
+    ----------
+    row : (3,) or longer
+    """
     return row[0], row[1], row[2]
 
 
 @kernel
 def add_to(row: FloatArray, a: Triple, factor: float) -> None:
-    """row += factor a."""
+    """row += factor a.
+
+    Parameters
+    ----------
+    row : (3,) or longer, changed
+    a : vector
+    factor : of the vector
+    """
     row[0] += factor * a[0]
     row[1] += factor * a[1]
     row[2] += factor * a[2]
@@ -56,7 +90,13 @@ def add_to(row: FloatArray, a: Triple, factor: float) -> None:
 
 @kernel
 def rotation_matrix(x: float, y: float, z: float, rotation: FloatArray) -> None:
-    """Fill `rotation` (3, 3) with the exponential of the rotation vector (Rodrigues)."""
+    """Fill `rotation` (3, 3) with the exponential of the rotation vector (Rodrigues).
+
+    Parameters
+    ----------
+    x, y, z : rotation vector [rad]
+    rotation : (3, 3), filled
+    """
     angle2 = x * x + y * y + z * z
     if angle2 < 1e-12:
         sine = 1.0 - angle2 / 6.0

@@ -1,4 +1,4 @@
-"""Reasons to stop a run, looked for in every accepted state: derailment, divergence, a step too large."""
+"""Reasons to stop a run, checked in every accepted state: derailment, divergence, a step too large."""
 
 import math
 from enum import IntEnum
@@ -13,19 +13,15 @@ from hh_exudyn.multibody.model import SystemModel, Workspace
 
 LIFT_OFF_TIME = 0.1  # s without contact of a wheel that counts as a derailment
 FLANGE_TIP_MARGIN = 3e-3  # m above the flange tip: a contact so deep means that the flange climbs the rail
-FLANGE_FROM = 0.02  # m towards the track centre on the wheel profile: nothing before it is flange
+FLANGE_FROM = 0.02  # m towards the track centre on the wheel profile; the flange lies beyond
 LARGEST_LATERAL = 0.08  # m of a wheelset from the track centre: wheel and rail have parted
-LARGEST_SPEED = 10.0  # m/s of a wheelset across the track or up: no derailment is as fast, a blow-up is
-SMALLEST_ALTERNATION = 1e-3  # of the vertical force; a lateral force that alternates by less is no trouble
-ALTERNATIONS = 40  # steps in a row in which the lateral force goes to and fro: the integration is unstable
-
-_NORMAL_FORCE = int(Patch.NORMAL_FORCE)
-_Y_WHEEL = int(Patch.Y_WHEEL)
-_FLOORED = int(Patch.FLOORED)
+LARGEST_SPEED = 10.0  # m/s of a wheelset across the track or up: faster than any derailment, so divergence
+SMALLEST_ALTERNATION = 1e-3  # of the vertical force; smaller alternations of the lateral force are ignored
+ALTERNATIONS = 40  # sign changes in a row of the lateral force's increment: the integration is unstable
 
 
 class Trouble(IntEnum):
-    """What `look` found."""
+    """Result of `look`."""
 
     NONE = 0
     NOT_FINITE = 1
@@ -53,18 +49,23 @@ REASONS = {
 
 
 class WatchState(NamedTuple):
-    """What the watch remembers of every wheel, arrays (wheelsets, 2)."""
+    """History of every wheel, arrays (wheelsets, 2)."""
 
     airborne: FloatArray  # time without contact [s]
     lateral_force: FloatArray  # on the rail, of the last step [N]
     change: FloatArray  # its last change [N]
     alternations: FloatArray  # changes of opposite sign in a row
-    floored: FloatArray  # patches so far whose lateral curvature met its floor
+    floored: FloatArray  # number of patches so far with lateral curvature at its floor
     flange_limit: FloatArray  # (2,) y on the wheel profile beyond which a contact is on the flange tip [m]
 
 
 def watch_state(model: SystemModel) -> WatchState:
-    """A watch that has seen nothing yet."""
+    """Histories at the start of a run of a model.
+
+    Parameters
+    ----------
+    model : its wheelsets are counted, its wheel profiles read
+    """
     shape = (len(model.wheelsets), 2)
     wheels = (model.wheel_rail.wheel_left, model.wheel_rail.wheel_right)
     return WatchState(
@@ -84,54 +85,62 @@ def _flange_limit(table: SplineTable) -> float:
     return float(y[deep][0])
 
 
-_NONE = int(Trouble.NONE)
-_NOT_FINITE = int(Trouble.NOT_FINITE)
-_LIFT_OFF = int(Trouble.LIFT_OFF)
-_CLIMB = int(Trouble.CLIMB)
-_OFF_TRACK = int(Trouble.OFF_TRACK)
-_ALTERNATING = int(Trouble.ALTERNATING)
-_RUNAWAY = int(Trouble.RUNAWAY)
-
-
 @kernel
-def look(work: Workspace, state: WatchState, step: float) -> tuple[int, int, int]:
-    """Look at an accepted state, `step` [s] after the last one: (`Trouble`, wheelset, side 0 or 1)."""
+def look(work: Workspace, state: WatchState, step: float) -> tuple[Trouble, int, int]:
+    """Check an accepted state for derailment and divergence.
+
+    Parameters
+    ----------
+    work : evaluated in that state
+    state : histories, brought up to date
+    step : since the last accepted state [s]
+
+    Returns
+    -------
+    (`Trouble`, wheelset, side 0 or 1); -1 for wheelset and side without a wheel.
+    """
     for k in range(work.generalized_force.size):
         if not math.isfinite(work.generalized_force[k]):
-            return _NOT_FINITE, -1, -1
+            return Trouble.NOT_FINITE, -1, -1
     for w in range(state.airborne.shape[0]):
         if max(abs(work.frame_velocity[w, 1]), abs(work.frame_velocity[w, 2])) > LARGEST_SPEED:
-            return _RUNAWAY, w, 0
+            return Trouble.RUNAWAY, w, 0
         lateral = work.frame_position[w, 1]
         if abs(lateral) > LARGEST_LATERAL:
-            return _OFF_TRACK, w, 0 if lateral > 0.0 else 1
+            return Trouble.OFF_TRACK, w, 0 if lateral > 0.0 else 1
         for side in range(2):
-            if work.patches[w, side, 0, _NORMAL_FORCE] > 0.0:
+            if work.patches[w, side, 0, Patch.NORMAL_FORCE] > 0.0:
                 state.airborne[w, side] = 0.0
             else:
                 state.airborne[w, side] += step
                 if state.airborne[w, side] > LIFT_OFF_TIME:
-                    return _LIFT_OFF, w, side
+                    return Trouble.LIFT_OFF, w, side
             for patch in range(work.patches.shape[2]):
-                state.floored[w, side] += work.patches[w, side, patch, _FLOORED]
-                if work.patches[w, side, patch, _NORMAL_FORCE] > 0.0 and (
-                    work.patches[w, side, patch, _Y_WHEEL] > state.flange_limit[side]
+                state.floored[w, side] += work.patches[w, side, patch, Patch.FLOORED]
+                if work.patches[w, side, patch, Patch.NORMAL_FORCE] > 0.0 and (
+                    work.patches[w, side, patch, Patch.Y_WHEEL] > state.flange_limit[side]
                 ):
-                    return _CLIMB, w, side
+                    return Trouble.CLIMB, w, side
             change = work.rail_force[w, side, 0] - state.lateral_force[w, side]
             smallest = SMALLEST_ALTERNATION * abs(work.rail_force[w, side, 1])
             if change * state.change[w, side] < 0.0 and abs(change) > smallest:
                 state.alternations[w, side] += 1.0
                 if state.alternations[w, side] > ALTERNATIONS:
-                    return _ALTERNATING, w, side
+                    return Trouble.ALTERNATING, w, side
             else:
                 state.alternations[w, side] = 0.0
             state.lateral_force[w, side] += change
             state.change[w, side] = change
-    return _NONE, -1, -1
+    return Trouble.NONE, -1, -1
 
 
 @kernel
-def look_bundle(bundle: Bundle, step: float) -> tuple[int, int, int]:
-    """`look` for a bundle of work space (as its model) and watch."""
+def look_bundle(bundle: Bundle, step: float) -> tuple[Trouble, int, int]:
+    """`look` for a bundle of work space (as its model) and watch.
+
+    Parameters
+    ----------
+    bundle : the work space in place of the model, and the watch in place of the work space
+    step : as for `look`
+    """
     return look(bundle.model, bundle.work, step)

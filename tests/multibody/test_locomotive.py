@@ -63,8 +63,8 @@ def test_drives_hold_locomotive_and_train(demo, per_mille):
     assert pull == pytest.approx(unit - demand, abs=50.0)
     # rails push with what the coupler and the slope take; losses of the drives never reach the rails
     assert work.wrench[:, 0].sum() == pytest.approx(180e3 * GRAVITY * sine - pull, abs=100.0)
-    assert np.ptp(model.drives.torque) == 0.0
-    assert model.drives.torque.sum() / 0.625 == pytest.approx(
+    assert np.ptp(work.inputs.drive_torque) == 0.0
+    assert work.inputs.drive_torque.sum() / 0.625 == pytest.approx(
         180e3 * GRAVITY * sine - pull, rel=5e-3, abs=200.0
     )
     assert -work.rail_force[:, :, 1].sum() == pytest.approx(180e3 * GRAVITY * np.sqrt(1 - sine**2), rel=1e-4)

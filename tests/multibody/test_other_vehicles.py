@@ -103,9 +103,9 @@ def test_each_coupler_head_pulls_at_its_own_body(rolling):
     bundle = Bundle(model, work)
     evaluate_bundle(bundle, state.sliders, state.q, state.v, 0.0, False)
     before = work.generalized_force.copy()
-    model.train.start[:] += 0.01
+    work.inputs.train_start[:] += 0.01
     evaluate_bundle(bundle, state.sliders, state.q, state.v, 0.0, False)
-    model.train.start[:] -= 0.01
+    work.inputs.train_start[:] -= 0.01
     pull = (work.generalized_force - before)[: BODY_COORDINATES * len(vehicle.bodies)]
     pull = pull.reshape(-1, BODY_COORDINATES)[:, 0]
     expected = [0.5 * 2e5 * 0.01 if body.name.startswith("frame") else 0.0 for body in vehicle.bodies]

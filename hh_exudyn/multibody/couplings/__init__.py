@@ -1,8 +1,12 @@
 """Suspension elements of a vehicle: forces and moments between two bodies (kernels).
 
-====================  ================================================================================
-`dispatch`            all couplings of a vehicle in one kernel
+====================  ==================================================================================
+`family`              parts of a family of couplings: numbers, motion, condition, reaction, law
+`dispatch`            the table `FAMILIES`, and all couplings of a vehicle in one kernel
 `general`             pads, axle boxes, bushings, rods, bump stops
 `three_piece_bogie`   spring nests, wedges, centre plates, side bearers
-====================  ================================================================================
+====================  ==================================================================================
+
+A new coupling is a description in `vehicles.couplings`, a file here with its numbers and its law, and one
+line in `FAMILIES`.
 """

@@ -1,35 +1,38 @@
 """All couplings of a vehicle in one kernel: relative motion, force law, forces and torques on both bodies.
 
 A coupling's displacement is that of its point on body B relative to body A, in the axes of A; force and
-moment act on B there, and their opposites on A at the same place, so that no coupling makes energy. The laws
-themselves: `general_couplings` and `bogie_couplings`.
+moment act on B there, and their opposites on A at the same place, so that no coupling makes energy.
 """
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.kernel import inlined_kernel, kernel
-from hh_exudyn.multibody.couplings.general import axle_box, bump_stop, bushing, pad, rod
-from hh_exudyn.multibody.couplings.three_piece_bogie import nest, plate, side_bearer, wedge
-from hh_exudyn.multibody.model import Couplings, Kind, Workspace
-from hh_exudyn.multibody.vectors import Triple, add_to, cross, rotate, rotate_back, triple
+from hh_exudyn.kernel import inlined_kernel
+from hh_exudyn.multibody.couplings import general, three_piece_bogie
+from hh_exudyn.multibody.couplings.family import Condition, Family, Motion, matrix, one_law
+from hh_exudyn.multibody.model import SLIDERS, Couplings, Ledger, Workspace
+from hh_exudyn.multibody.vectors import add_to, cross, rotate, rotate_back, triple
 
-_PAD = int(Kind.AXLE_BOX_PAD)
-_NEST = int(Kind.SPRING_NEST)
-_WEDGE = int(Kind.WEDGE)
-_PLATE = int(Kind.CENTRE_PLATE)
-_SIDE_BEARER = int(Kind.SIDE_BEARER)
-_BUSHING = int(Kind.BUSHING)
-_ROD = int(Kind.ROD)
-_AXLE_BOX = int(Kind.AXLE_BOX)
+FAMILIES: tuple[Family, ...] = (
+    *general.FAMILIES,
+    *three_piece_bogie.FAMILIES,
+)
+
+_law = one_law(FAMILIES)
 
 
 @inlined_kernel
 def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, work: Workspace) -> None:
     """Add the forces of all couplings to `work.force` and `work.torque`; fill `work.new_sliders`.
 
-    With `settle`, for the static equilibrium, the wedges' friction in the vertical direction is off, and all
-    other friction elements stick, whatever their load: where one is unloaded on the way to the equilibrium,
-    its slider must not leave the middle.
+    Parameters
+    ----------
+    couplings : of the model; their forces are added in their order
+    sliders : (couplings, SLIDERS) friction sliders of the last accepted step [m] or [rad]
+    settle : for the static equilibrium: wedges have no vertical friction, and all other friction elements
+        stick, whatever their load: the slider of one that is unloaded on the way to the equilibrium must stay
+        in the middle
+    work : positions, rotations and velocities of the bodies are read, and the inputs
     """
+    inputs = work.inputs
     for i in range(couplings.kind.size):
         a = couplings.body_a[i]
         b = couplings.body_b[i]
@@ -42,7 +45,7 @@ def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, wor
         )
         local = rotate_back(rotation_a, arm_a)
         displacement = (
-            local[0] - couplings.point_a[i, 0],
+            local[0] - (couplings.point_a[i, 0] + inputs.coupling_shift[i]),
             local[1] - couplings.point_a[i, 1],
             local[2] - couplings.point_a[i, 2],
         )
@@ -56,85 +59,33 @@ def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, wor
                 work.velocity[b, 2] + swing_b[2] - work.velocity[a, 2] - swing_a[2],
             ),
         )
-        parameters = couplings.parameters[i]
-        kind = couplings.kind[i]
-        moment = (0.0, 0.0, 0.0)
-        if kind == _PAD:
-            force, moment = pad(parameters, displacement, rate, rotation_a, work.rotation[b], work)
-        elif kind == _AXLE_BOX:
-            force, moment = axle_box(
-                parameters,
-                displacement,
-                rate,
-                rotation_a,
-                work.rotation[b],
-                sliders[i],
+        turn = (
+            work.angular_velocity[b, 0] - work.angular_velocity[a, 0],
+            work.angular_velocity[b, 1] - work.angular_velocity[a, 1],
+            work.angular_velocity[b, 2] - work.angular_velocity[a, 2],
+        )
+        before = sliders[i]
+        reaction = _law(
+            couplings.kind[i],
+            couplings.numbers[i],
+            Motion(displacement, rate, turn, matrix(rotation_a), matrix(work.rotation[b])),
+            Condition(
+                (before[0], before[1], before[2], before[3]),
                 settle,
-                work.new_sliders[i],
-                work,
-            )
-        elif kind == _SIDE_BEARER:
-            force = side_bearer(parameters, displacement, rate, sliders[i], settle, work.new_sliders[i], work)
-        elif kind in (_NEST, _WEDGE, _PLATE, _BUSHING):
-            angle = _relative_rotation(rotation_a, work.rotation[b])
-            turn = rotate_back(
-                rotation_a,
-                (
-                    work.angular_velocity[b, 0] - work.angular_velocity[a, 0],
-                    work.angular_velocity[b, 1] - work.angular_velocity[a, 1],
-                    work.angular_velocity[b, 2] - work.angular_velocity[a, 2],
-                ),
-            )
-            if kind == _NEST:
-                force, moment = nest(parameters, displacement, rate, angle, turn, work)
-            elif kind == _WEDGE:
-                force, moment = wedge(
-                    parameters,
-                    displacement,
-                    rate,
-                    angle,
-                    turn,
-                    sliders[i],
-                    settle,
-                    work.new_sliders[i],
-                    work,
-                )
-            elif kind == _PLATE:
-                force, moment = plate(
-                    parameters,
-                    displacement,
-                    rate,
-                    angle,
-                    turn,
-                    sliders[i],
-                    settle,
-                    work.new_sliders[i],
-                    work,
-                )
-            else:
-                force, moment = bushing(parameters, displacement, rate, angle, turn, work)
-        elif kind == _ROD:
-            force = rod(parameters, displacement, rate, work)
-        else:
-            force = bump_stop(parameters, displacement)
-        force = rotate(rotation_a, force)
-        moment = rotate(rotation_a, moment)
+                inputs.coupling_stiffness[i],
+                work.ledger[Ledger.FRICTION_POWER],
+                work.ledger[Ledger.DAMPER_POWER],
+            ),
+        )
+        work.ledger[Ledger.FRICTION_POWER] = reaction.friction_power
+        work.ledger[Ledger.DAMPER_POWER] = reaction.damper_power
+        for k in range(SLIDERS):
+            work.new_sliders[i, k] = reaction.slider[k]
+        force = rotate(rotation_a, reaction.force)
+        moment = rotate(rotation_a, reaction.moment)
         add_to(work.force[b], force, 1.0)
         add_to(work.force[a], force, -1.0)
         add_to(work.torque[b], cross(arm_b, force), 1.0)
         add_to(work.torque[a], cross(arm_a, force), -1.0)
         add_to(work.torque[b], moment, 1.0)
         add_to(work.torque[a], moment, -1.0)
-
-
-@kernel
-def _relative_rotation(rotation_a: FloatArray, rotation_b: FloatArray) -> Triple:
-    """Small rotation of B relative to A in the axes of A, from the skew part of RA^T RB [rad]."""
-    x = 0.0
-    y = 0.0
-    z = 0.0
-    for k in range(3):
-        x += rotation_a[k, 2] * rotation_b[k, 1] - rotation_a[k, 1] * rotation_b[k, 2]
-        y += rotation_a[k, 0] * rotation_b[k, 2] - rotation_a[k, 2] * rotation_b[k, 0]
-        z += rotation_a[k, 1] * rotation_b[k, 0] - rotation_a[k, 0] * rotation_b[k, 1]
-    return 0.5 * x, 0.5 * y, 0.5 * z

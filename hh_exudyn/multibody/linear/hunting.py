@@ -104,7 +104,7 @@ def lateral_motion(
 
     Parameters
     ----------
-    vehicle : what runs, and on which straight track
+    vehicle : the vehicle on its straight track
     speed : [m/s]
     duration : [s]
     displacement : of every wheelset at the start, to the left [m]
@@ -150,7 +150,7 @@ def lateral_motion(
             sliders[:] = work.new_sliders
             found = look_bundle(watched, step)
             if status:  # the contact kernel's: 1 + number of the wheel
-                found = (int(Trouble.NOT_FINITE), *divmod(status - 1, 2))
+                found = (Trouble.NOT_FINITE, *divmod(status - 1, 2))
             troubles.extend([found] if found[0] else [])
         result: list[float] = work.generalized_force.tolist()
         return result
@@ -161,7 +161,7 @@ def lateral_motion(
         now = mbs.systemData.GetODE2Coordinates()
         rows.append(np.array([time, *now[sideways]]))
         end[:] = now, mbs.systemData.GetODE2Coordinates_t()
-        model.train.course[:] = _course(first, speed, slowing, time)
+        work.inputs.train_course[:] = _course(first, speed, slowing, time)
         if progress is not None:
             progress(time)
         return not (troubles or interruption.wanted)

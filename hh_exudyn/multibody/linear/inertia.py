@@ -7,7 +7,12 @@ from hh_exudyn.multibody.model import BODY_COORDINATES, SystemModel, coordinates
 
 
 def masses(model: SystemModel) -> FloatArray:
-    """Diagonal of the mass matrix [kg], [kg m^2]; 1 for the creep coordinates."""
+    """Diagonal of the mass matrix [kg], [kg m^2]; 1 for the creep coordinates.
+
+    Parameters
+    ----------
+    model : masses and inertias are read
+    """
     result = np.ones(coordinates(model))
     for i in range(model.mass.size):
         k = BODY_COORDINATES * i
@@ -29,6 +34,11 @@ def gyroscopic_moments(model: SystemModel, v: FloatArray) -> FloatArray:
 
     remain to first order. Exudyn has these moments in its rigid bodies, not in the force kernel. Wheelsets
     are bodies of revolution (roll and yaw inertia alike); nothing else turns.
+
+    Parameters
+    ----------
+    model : inertias of the wheelsets are read
+    v : (coordinates,) velocities; those of the wheelsets' pitch are read
     """
     result = np.zeros((v.size, v.size))
     for i in model.wheelsets:

@@ -1,4 +1,4 @@
-"""Linear analysis: modes about the equilibrium, their way over speed, and the linear critical speed.
+"""Linear analysis: modes about the equilibrium, root locus over speed, and the linear critical speed.
 
 The motion is linearised by central differences of the force kernel about the static equilibrium of the
 rolling vehicle, with the gyroscopic moments of its wheelsets (`inertia`). The coordinates of a wheelset are
@@ -33,9 +33,9 @@ from hh_exudyn.multibody.model import (
 from hh_exudyn.multibody.system import evaluate_bundle
 from vehicles.description import Vehicle
 
-LOWEST_FREQUENCY = 0.05  # Hz, below it the train that pulls, and motions that nothing holds
-HIGHEST_FREQUENCY = 50.0  # Hz, above it the contact springs, and rails on the way of the creepage
-STRAIGHT_LENGTH = 10e3  # m, of the track that everything here runs on
+LOWEST_FREQUENCY = 0.05  # Hz; below it lie the train's spring and motions without a restoring force
+HIGHEST_FREQUENCY = 50.0  # Hz; above it lie the contact springs, and rails on the lag of the creepage
+STRAIGHT_LENGTH = 10e3  # m, of the straight track of this analysis
 OVERDAMPED = 0.95  # damping ratio from which a mode counts as no oscillation
 _DISPLACEMENT = 1e-7  # m and rad, of the numerical derivatives
 _VELOCITY = 1e-6  # m/s and rad/s
@@ -63,7 +63,13 @@ class Linearisation(NamedTuple):
 
 
 def linearise(model: SystemModel, work: Workspace, state: Equilibrium) -> Linearisation:
-    """Mass, stiffness and damping about an equilibrium."""
+    """Mass, stiffness and damping about an equilibrium.
+
+    Parameters
+    ----------
+    model, work : constant model; inputs (those of the equilibrium) and work space
+    state : the equilibrium
+    """
     bundle = Bundle(model, work)
     n = state.q.size
 
@@ -109,7 +115,12 @@ class Mode:
         return -self.eigenvalue.real / abs(self.eigenvalue)
 
     def largest(self, names: Sequence[str]) -> str:
-        """Body and direction that move most, e.g. "car_body y" or "bogie_1 pitch"."""
+        """Body and direction that move most, e.g. "car_body y" or "bogie_1 pitch".
+
+        Parameters
+        ----------
+        names : of the bodies
+        """
         body, axis = np.unravel_index(int(np.argmax(np.abs(self.shape))), self.shape.shape)
         return f"{names[int(body)]} {DIRECTIONS[int(axis)]}"
 
@@ -119,7 +130,7 @@ class LinearVehicle:
 
     Parameters
     ----------
-    vehicle, case : what runs on what; the case's own speed plays no part
+    vehicle, case : description of the vehicle, and its track; the case's own speed is not read
 
     Raises
     ------
@@ -131,8 +142,6 @@ class LinearVehicle:
         self.vehicle = vehicle
         self.names = [body.name for body in vehicle.bodies]
         self._model = assemble(vehicle, _straight(case))
-        self._work = workspace(self._model)
-        self._start = self._model.train.start.copy()
 
     @property
     def on_friction(self) -> bool:
@@ -140,17 +149,16 @@ class LinearVehicle:
         return any(getattr(coupling, "friction", 0.0) > 0.0 for coupling in self.vehicle.couplings)
 
     def at(self, speed: float, step: float = 0.0) -> tuple[SystemModel, Workspace, Equilibrium]:
-        """Model, work space and equilibrium at a speed [m/s]; with a time step [s] as a run in such steps.
+        """Model, work space and equilibrium at a speed [m/s]; with a time step [s], as in a run.
 
         Raises NoEquilibrium where there is none.
         """
         model = self._model._replace(
-            train=self._model.train._replace(
-                speed=speed, start=self._start.copy(), course=np.array([0.0, speed])
-            ),
+            train=self._model.train._replace(speed=speed),
             shortest_transition=shortest_transition(speed, step),
         )
-        return model, self._work, equilibrium(self.vehicle, model, self._work)
+        work = workspace(model)
+        return model, work, equilibrium(self.vehicle, model, work)
 
     def modes(self, speed: float, *, undamped: bool = False, step: float = 0.0) -> list[Mode]:
         """Oscillating modes by frequency, from `LOWEST_FREQUENCY` to `HIGHEST_FREQUENCY`.
@@ -159,7 +167,7 @@ class LinearVehicle:
         ----------
         speed : [m/s], > 0
         undamped : dampers, creep and gyroscopic moments off: the structure on rails without friction
-        step : with one, of a run in such time steps, whose creepage follows the later the longer they are [s]
+        step : time step of a run, on which the lag of its creepage depends; 0 for the exact motion [s]
 
         Raises
         ------
@@ -202,6 +210,12 @@ def critical_speed(
     It is looked for in steps of `step` [m/s], then bisected to 1 mm/s; an unstable range narrower than a step
     can be missed. None where the vehicle is stable up to `high`, `low` where it is unstable already there.
 
+    Parameters
+    ----------
+    linear : the vehicle on its straight track
+    low, high : range of the search [m/s]
+    step : of the search [m/s]
+
     Raises
     ------
     ValueError
@@ -234,10 +248,15 @@ def critical_speed(
 
 
 def root_locus(linear: LinearVehicle, speeds: Sequence[float]) -> ComplexArray:
-    """Eigenvalues [1/s] of the oscillating modes over speed, one column a mode; NaN where it is none.
+    """Eigenvalues [1/s] of the oscillating modes over speed, one column a mode; NaN at speeds without it.
 
-    From speed to speed modes are joined so that the sum of the ways of all eigenvalues is least; choose
-    speeds as close as the modes are.
+    From speed to speed modes are joined so that the sum of the distances between eigenvalues is least; choose
+    steps of speed small enough for the distance between modes.
+
+    Parameters
+    ----------
+    linear : the vehicle on its straight track
+    speeds : [m/s]
     """
     columns: list[list[complex]] = []
     for k, speed in enumerate(speeds):

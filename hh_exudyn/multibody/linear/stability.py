@@ -1,7 +1,7 @@
 """How large a time step may be: the explicit integration of the motion linearised about its equilibrium.
 
 Beyond the limit an explicit method need not blow up: dry friction and saturated creep forces can hold it in a
-false state that looks like a run. So the step is checked before the run, not by its looks.
+false state that looks like a run. So the step is checked before the run.
 """
 
 import numpy as np
@@ -11,12 +11,18 @@ from hh_exudyn.multibody.equilibrium import Equilibrium
 from hh_exudyn.multibody.linear.modes import linearise
 from hh_exudyn.multibody.model import SystemModel, Workspace
 
-LARGEST_STEP = 2e-3  # s, no step above it is looked for
+LARGEST_STEP = 2e-3  # s, end of the search
 MARGIN = 0.8  # of the limit at rest: two-point contact in a curve is stiffer than the tread on a straight
 
 
 def eigenvalues(model: SystemModel, work: Workspace, state: Equilibrium) -> NDArray[np.complex128]:
-    """Eigenvalues [1/s] of the motion about an equilibrium, friction elements sticking (`linear`)."""
+    """Eigenvalues [1/s] of the motion about an equilibrium, friction elements sticking (`linear`).
+
+    Parameters
+    ----------
+    model, work : constant model; inputs (those of the equilibrium) and work space
+    state : the equilibrium
+    """
     return np.linalg.eigvals(linearise(model, work, state).system).astype(np.complex128)
 
 
@@ -25,6 +31,10 @@ def largest_stable_step(values: NDArray[np.complex128]) -> float:
 
     |1 + z + z^2/2 + z^3/6 + z^4/24| <= 1 with z = step * eigenvalue (Hairer, Norsett and Wanner 1993, II.1);
     eigenvectors that grow by themselves may grow as they do.
+
+    Parameters
+    ----------
+    values : eigenvalues of the motion [1/s]
     """
     decaying = values[values.real < -1e-3 * np.abs(values)]
     steps = np.linspace(0.0, LARGEST_STEP, 401)[1:]
@@ -35,7 +45,19 @@ def largest_stable_step(values: NDArray[np.complex128]) -> float:
 
 
 def require_stable_step(step: float, model: SystemModel, work: Workspace, state: Equilibrium) -> None:
-    """Raise ValueError if a time step [s] is above `MARGIN` of the largest stable one."""
+    """Check a time step against the stability limit of the explicit integration.
+
+    Parameters
+    ----------
+    step : [s]
+    model, work : constant model; inputs (those of the equilibrium) and work space
+    state : the equilibrium
+
+    Raises
+    ------
+    ValueError
+        The step is above `MARGIN` of the largest stable one.
+    """
     largest = MARGIN * largest_stable_step(eigenvalues(model, work, state))
     if step > largest:
         raise ValueError(

@@ -1,0 +1,77 @@
+"""Nothing writes to the model after it is assembled: not the equilibrium, not a run, not its controllers."""
+
+import hashlib
+from importlib.resources import files
+from typing import Any
+
+import numpy as np
+import pytest
+
+from hh_exudyn.case import Case, read_case
+from hh_exudyn.multibody import simulate as runner
+from hh_exudyn.multibody.assembly import assemble
+
+
+def arrays(value: Any) -> list[np.ndarray]:
+    """All arrays of nested tuples."""
+    if isinstance(value, np.ndarray):
+        return [value]
+    return [array for part in value for array in arrays(part)] if isinstance(value, tuple) else []
+
+
+def digest(model: Any) -> str:
+    return hashlib.sha256(b"".join(array.tobytes() for array in arrays(model))).hexdigest()
+
+
+@pytest.fixture
+def driven() -> Case:
+    """A second of the steered locomotive, uphill into a curve."""
+    case = read_case(str(files("hh_exudyn") / "data" / "locomotive.toml"))
+    sections = [
+        {"kind": "straight", "length_m": 25.0, "gauge_mm": 1440.0},
+        {"kind": "transition", "length_m": 10.0, "gauge_mm": 1440.0},
+        {
+            "kind": "curve",
+            "length_m": 5.0,
+            "radius_m": 450.0,
+            "hand": "left",
+            "cant_mm": 60.0,
+            "gauge_mm": 1440.0,
+        },
+    ]
+    return case.with_changes(track={"sections": sections}, steering={"gain": 0.5, "softening": 0.5})
+
+
+@pytest.fixture
+def models(monkeypatch):
+    """The models that `simulate` assembles."""
+    found: list[Any] = []
+
+    def watched(*arguments):
+        found.append(assemble(*arguments))
+        return found[-1]
+
+    monkeypatch.setattr(runner, "assemble", watched)
+    return found
+
+
+def test_a_run_with_controllers_changes_no_number_of_its_model(driven, models, tmp_path):
+    before = digest(assemble(driven.described_vehicle(), driven))
+    run = runner.simulate(driven, tmp_path / "run")
+    assert np.ptp(run.read("control")["torque"].to_numpy()) > 0.0
+    assert digest(models[0]) == before
+
+
+@pytest.mark.slow
+def test_a_read_only_model_is_enough(driven, monkeypatch, tmp_path):
+    """Read-only arrays are types of their own to the compiler, which refuses every kernel that writes."""
+
+    def read_only(*arguments):
+        model = assemble(*arguments)
+        for array in arrays(model):
+            array.flags.writeable = False
+        return model
+
+    monkeypatch.setattr(runner, "assemble", read_only)
+    run = runner.simulate(driven, tmp_path / "run")
+    assert run.status["finished"]
