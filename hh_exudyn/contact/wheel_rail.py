@@ -186,10 +186,9 @@ def wheel_rail_forces(
                 )
             present = 0
             for k in range(count):
-                if add_patch(
-                    model, pair, along, contacts[k], strips, wheelsets, rails, friction, i, forces, present
-                ):
-                    present += 1
+                present += add_patch(
+                    model, pair, contacts[k], strips, wheelsets, rails, friction, i, forces, present
+                )
             wrench = forces.wrench[i]
             if not math.isfinite(wrench[0] + wrench[1] + wrench[2] + wrench[4]):
                 return 1 + 2 * i + s

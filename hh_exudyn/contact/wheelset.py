@@ -17,16 +17,14 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import brentq
 
-from hh_exudyn.contact.contact_state import ContactState, contact_state
 from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.geometry.rail_tables import gauge_point_at
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.profile import Profile
+from hh_exudyn.contact.state import PATCH_COLUMNS, ContactState, Patch, contact_state
 from hh_exudyn.contact.types import (
     MAX_PATCHES,
-    PATCH_COLUMNS,
     ContactForces,
-    Patch,
     RailMotion,
     RailTables,
     WheelRailModel,
@@ -336,11 +334,12 @@ def _solve(
             row,
             side=side,
             speed=pose.speed,
-            vertical=vertical,
-            outwards=outwards,
-            yaw=pose.yaw,
+            Q=vertical,
+            Y=outwards,
+            angle_of_attack=pose.yaw,
+            y_wheelset=pose.lateral,
             roll=roll,
-            lateral=pose.lateral,
+            s=0.0,
         )
         for row in forces.patches[0, index]
         if row[Patch.NORMAL_FORCE] > 0.0
