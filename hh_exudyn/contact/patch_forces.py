@@ -34,13 +34,12 @@ from hh_exudyn.contact.geometry.search import (
     Y_WHEEL,
 )
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette
-from hh_exudyn.contact.normal.hertz import normal_contact
-from hh_exudyn.contact.normal.non_elliptic import CURVATURE_FLOOR, HERTZ, minimum, patch_strips
+from hh_exudyn.contact.normal.hertz import CURVATURE_FLOOR, normal_contact
+from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
+from hh_exudyn.contact.normal.registry import HERTZ
 from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.contact.state import write_patch
-from hh_exudyn.contact.tangential.api import force_kernel
-from hh_exudyn.contact.tangential.fastrip import force_on_strips
-from hh_exudyn.contact.tangential.theories import GIVEN
+from hh_exudyn.contact.tangential.registry import GIVEN, force_kernel, strips_kernel
 from hh_exudyn.contact.types import (
     ContactForces,
     ContactFrame,
@@ -133,10 +132,8 @@ def add_patch(
         force_x, force_y, moment_z = -model.given.longitudinal * nu_x, -model.given.lateral * nu_y, 0.0
     elif model.normal == HERTZ:
         force_x, force_y, moment_z = force_kernel(model.theory, rolling, model.cells_x, model.cells_y)
-    elif friction > 0.0:
-        force_x, force_y, moment_z = force_on_strips(strips, strips.shape[0], rolling, model.cells_x)
     else:
-        force_x, force_y, moment_z = 0.0, 0.0, 0.0
+        force_x, force_y, moment_z = strips_kernel(model.theory, strips, rolling, model.cells_x)
     _add_wrench(frame, (force_x, force_y, normal), moment_z, forces, i, side)
 
     write_patch(

@@ -17,7 +17,8 @@ from hh_exudyn.contact.geometry.rail_tables import rail_at
 from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS, Y_WHEEL
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette, wheel_rail_pair
 from hh_exudyn.contact.normal.neighbours import find_patches
-from hh_exudyn.contact.normal.non_elliptic import HERTZ, minimum, patch_strips
+from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
+from hh_exudyn.contact.normal.registry import HERTZ
 from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.contact.tangential.api import TractionField
 from hh_exudyn.contact.tangential.fastrip import field_on_strips

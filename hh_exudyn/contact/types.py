@@ -67,11 +67,11 @@ class WheelRailModel(NamedTuple):
     shear_modulus: float  # of both bodies [Pa]
     poisson_ratio: float
     damping: float  # Hunt-Crossley damping d of the normal force N (1 + d * approach rate) [s/m]
-    normal: int  # a value of `non_elliptic.NORMAL_THEORIES`
+    normal: int  # a value of `normal.registry.NORMAL_THEORIES`
     theory: int  # a value of `tangential.THEORIES`
     cells_x: int  # cells of the tangential solve along and across the patch
     cells_y: int
-    given: GivenCreep  # for the theory `theories.GIVEN` only
+    given: GivenCreep  # for the theory `registry.GIVEN` only
 
 
 class WheelsetMotion(NamedTuple):

@@ -23,15 +23,11 @@ from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, find_
 from hh_exudyn.contact.geometry.silhouette import wheel_rail_pair
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.normal.neighbours import find_patches
-from hh_exudyn.contact.normal.non_elliptic import (
-    HERTZ,
-    NORMAL_THEORIES,
-    check_combination,
-)
+from hh_exudyn.contact.normal.registry import HERTZ, NORMAL_THEORIES, check_combination
 from hh_exudyn.contact.patch_forces import add_patch
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.profiles.spline import spline_table
-from hh_exudyn.contact.tangential.api import THEORIES
+from hh_exudyn.contact.tangential.registry import THEORIES
 from hh_exudyn.contact.tangential.strips import STRIP_COLUMNS
 from hh_exudyn.contact.types import ContactForces, GivenCreep, RailMotion, WheelRailModel, WheelsetMotion
 from hh_exudyn.conventions import BACK_TO_BACK, FLANGE_BACK_TO_RUNNING_CIRCLE
@@ -70,7 +66,7 @@ def wheel_rail_model(
     damping : float
         d of the normal force N (1 + d * approach rate) [s/m], 0 .. 100.
     normal : str
-        One of `non_elliptic.NORMAL_THEORIES`.
+        One of `normal.registry.NORMAL_THEORIES`.
     theory : str
         One of `tangential.THEORIES`; ``"fastrip"`` where the patches are not elliptic.
     cells : tuple of int

@@ -134,7 +134,7 @@ def wheel_on_rail(
     friction : float
         [-], 0 .. 1.
     normal, theory : str
-        Names of `non_elliptic.NORMAL_THEORIES` and `tangential.THEORIES`.
+        Names of `normal.registry.NORMAL_THEORIES` and `tangential.THEORIES`.
     material : Material
         Of wheel and rail.
     cells : tuple of int

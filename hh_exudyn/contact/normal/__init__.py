@@ -1,6 +1,7 @@
 """Normal contact: from profiles and approach to patch, pressure and force; stresses below a patch.
 
 ==================  =================================================================================
+`registry`          a record of every theory, and the kernels that call their strips
 `hertz`             ellipse, pressure, approach
 `interpenetration`  the gap between the profiles across a patch, in the contact plane
 `analyn`            Sichani, Enblom and Berg, 2014: Hertz strip by strip

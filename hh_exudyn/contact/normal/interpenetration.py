@@ -20,7 +20,7 @@ _STEEPEST = 0.17  # cosine of 80 degrees to the contact plane: nothing further r
 class Minimum(NamedTuple):
     """The point of deepest interpenetration, and what the strips around it share."""
 
-    normal: int  # a value of `non_elliptic.NORMAL_THEORIES`
+    normal: int  # a value of `normal.registry.NORMAL_THEORIES`
     y_wheel: float  # side coordinates [m]
     y_rail: float
     z_rail: float

@@ -44,7 +44,8 @@ from hh_exudyn.contact.geometry.search import (
     sort_by_approach,
 )
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair
-from hh_exudyn.contact.normal.non_elliptic import ANALYN, edge, minimum, patch_strips, strip_at
+from hh_exudyn.contact.normal.non_elliptic import edge, minimum, patch_strips, strip_at
+from hh_exudyn.contact.normal.registry import pressure_by_strip
 from hh_exudyn.contact.types import MAX_PATCHES
 from hh_exudyn.kernel import kernel
 
@@ -158,7 +159,7 @@ def _solve_whole_and_cut(
     """
     low = minimum(normal, pair, contact, shear_modulus, poisson_ratio)
     own[:] = contact
-    if normal == ANALYN:
+    if pressure_by_strip(normal):
         own[_FORCE], _, _, _, _ = patch_strips(pair, own, low, 0.0, strips)
         return 0.0, 0.0
     whole[:] = contact

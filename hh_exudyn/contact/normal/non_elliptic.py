@@ -22,21 +22,13 @@ from hh_exudyn.contact.geometry.search import (
     Y_WHEEL,
 )
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette
-from hh_exudyn.contact.normal import analyn, kik_piotrowski
-from hh_exudyn.contact.normal.hertz import normal_contact
+from hh_exudyn.contact.normal import kik_piotrowski
+from hh_exudyn.contact.normal.hertz import CURVATURE_FLOOR, normal_contact
 from hh_exudyn.contact.normal.interpenetration import Minimum, gap_curve
+from hh_exudyn.contact.normal.registry import pressure_by_strip, strip
 from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.contact.tangential.strips import HALF_LENGTH, PRESSURE, WIDTH, Y
 from hh_exudyn.kernel import inlined_kernel, kernel
-
-HERTZ = 0
-ANALYN = 1
-KIK_PIOTROWSKI = 2
-NORMAL_THEORIES: dict[str, int] = {"hertz": HERTZ, "analyn": ANALYN, "kik_piotrowski": KIK_PIOTROWSKI}
-
-# Half the sum of the lateral curvatures below which Hertz's ellipse would be wider than the profiles keep
-# their curvature (conformal contact): a relative radius of 2 m, an ellipse about 2.5 times wider than long.
-CURVATURE_FLOOR = 0.25  # 1/m
 
 _STEP_PER_WIDTH = 0.52  # of the search for the edges, over Hertz's lateral semi-axis
 _SMALLEST_STEP, _LARGEST_STEP = 0.02e-3, 1.5e-3  # m
@@ -44,20 +36,6 @@ _MAX_STEPS = 100  # outwards and in the bracket together
 _TOLERANCE = 1e-9  # m, of an edge
 _HALF_PI = 0.5 * math.pi
 _SQUARE_ROOT_EDGE = 0.086110  # -zeta(-1/2, 1/2) sqrt(2): what midpoints add to the area of sqrt(y) at y = 0
-
-
-def check_combination(normal: str, theory: str) -> None:
-    """Whether a tangential theory can take the patches of a normal one.
-
-    Raises
-    ------
-    ValueError
-        For strips under a theory that is made for ellipses.
-    """
-    if normal != "hertz" and theory != "fastrip":
-        raise ValueError(
-            f"theory = {theory!r} is made for ellipses; the patches of normal = {normal!r} need 'fastrip'"
-        )
 
 
 @kernel
@@ -96,18 +74,8 @@ def strip_at(pair: WheelRailPair, low: Minimum, y_wheel: float) -> tuple[float, 
     The pressure of Kik and Piotrowski awaits the factor c: it is the half length here.
     """
     s, gap, curvature_y = gap_curve(pair, low, y_wheel)
-    if low.normal == ANALYN:
-        inside, half_length, pressure = analyn.strip(
-            gap,
-            low.approach,
-            low.curvature_x,
-            max(curvature_y, CURVATURE_FLOOR),
-            low.shear_modulus,
-            low.poisson_ratio,
-        )
-        return s, inside, half_length, pressure
-    inside, half_length = kik_piotrowski.strip(gap, s, low.curvature_x, low.curvature_y, low.a, low.b)
-    return s, inside, half_length, half_length
+    inside, half_length, pressure = strip(low, s, gap, curvature_y)
+    return s, inside, half_length, pressure
 
 
 @kernel
@@ -222,13 +190,13 @@ def patch_strips(
         load += share
         moment += share * (i + 0.5)
         longest = max(longest, half_length)
-        if low.normal == ANALYN:
+        if pressure_by_strip(low.normal):
             largest = max(largest, strips[i, PRESSURE])
     y_centre = start + step * moment / load
     load -= _end_correction(strips, 0, 1, half_start * pressure_start)
     load -= _end_correction(strips, n - 1, n - 2, half_end * pressure_end)
     area -= _area_correction(strips, 0, half_start) + _area_correction(strips, n - 1, half_end)
-    if low.normal != ANALYN:
+    if not pressure_by_strip(low.normal):
         if stiffness == 0.0:
             stiffness = _stiffness(low, strips, s_start, s_end, half_start, half_end)
         factor = low.approach * stiffness

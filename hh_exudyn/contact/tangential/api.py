@@ -9,7 +9,7 @@ cells of equal length from its own trailing to its own leading edge, so that the
 a sqrt(1 - (y/b)^2), and the area of `cell_areas`. Forces use the same cells, but the pressure's integral
 is exact in them; the sum of q times area meets the force within about 1 % at 20 x 20 cells.
 
-Which theories there are: `theories`. How far each is from the exact solution: `validation`.
+Which theories there are: `registry`. How far each is from the exact solution: `validation`.
 """
 
 import math
@@ -19,7 +19,7 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import STEEL, Material
-from hh_exudyn.contact.tangential.theories import FIELD_THEORIES, THEORIES, field_kernel, force_kernel
+from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel, force_kernel
 from hh_exudyn.contact.types import Fields, RollingPatch
 
 _MOST_CELLS = 2000  # each way: more than any stress field needs, and still a second
