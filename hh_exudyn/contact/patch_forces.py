@@ -95,18 +95,7 @@ def add_patch(
         Place of the record among those of the wheel, from 0.
     """
     floored = 0.5 * (contact[WHEEL_CURVATURE] + contact[RAIL_CURVATURE]) < CURVATURE_FLOOR
-    if model.normal == HERTZ:
-        # A and B are half the sums of the curvatures in the normal section
-        elastic, a, b, max_pressure = normal_contact(
-            contact[APPROACH],
-            0.5 * math.cos(contact[CONTACT_ANGLE]) / contact[RADIUS],
-            max(0.5 * (contact[WHEEL_CURVATURE] + contact[RAIL_CURVATURE]), CURVATURE_FLOOR),
-            model.shear_modulus,
-            model.poisson_ratio,
-        )
-    else:
-        low = minimum(model.normal, pair, contact, model.shear_modulus, model.poisson_ratio)
-        elastic, max_pressure, a, b, _ = patch_strips(pair, contact, low, contact[STIFFNESS], strips)
+    elastic, max_pressure, a, b = _normal_forces(model, pair, contact, strips)
     side = 0 if pair.side > 0.0 else 1
     along = model.rails_left if side == 0 else model.rails_right
     frame = _contact_frame(pair, along, contact, rails, i, side)
@@ -147,6 +136,26 @@ def add_patch(
         slip,
     )
     return True
+
+
+@inlined_kernel
+def _normal_forces(
+    model: WheelRailModel, pair: WheelRailPair, contact: FloatArray, strips: FloatArray
+) -> tuple[float, float, float, float]:
+    """Elastic normal force [N], largest pressure [Pa] and semi-axes [m] of a patch; see `add_patch`."""
+    if model.normal == HERTZ:
+        # A and B are half the sums of the curvatures in the normal section
+        elastic, a, b, max_pressure = normal_contact(
+            contact[APPROACH],
+            0.5 * math.cos(contact[CONTACT_ANGLE]) / contact[RADIUS],
+            max(0.5 * (contact[WHEEL_CURVATURE] + contact[RAIL_CURVATURE]), CURVATURE_FLOOR),
+            model.shear_modulus,
+            model.poisson_ratio,
+        )
+    else:
+        low = minimum(model.normal, pair, contact, model.shear_modulus, model.poisson_ratio)
+        elastic, max_pressure, a, b, _ = patch_strips(pair, contact, low, contact[STIFFNESS], strips)
+    return elastic, max_pressure, a, b
 
 
 @inlined_kernel

@@ -51,6 +51,8 @@ def wheel_rail_model(
 ) -> WheelRailModel:
     """Everything about the contact that does not change during a run.
 
+    Twelve arguments: four profiles, and by keyword the independent numbers and names of a case.
+
     Parameters
     ----------
     wheel_left, wheel_right : Profile
@@ -80,27 +82,8 @@ def wheel_rail_model(
         A profile of the wrong kind, an unknown theory, a tangential theory that cannot take the patches of
         the normal one, or a number out of its range.
     """
-    for label, profile, kind in (
-        ("wheel_left", wheel_left, "wheel"),
-        ("wheel_right", wheel_right, "wheel"),
-        ("rail_left", rail_left, "rail"),
-        ("rail_right", rail_right, "rail"),
-    ):
-        if isinstance(profile, Profile) and profile.kind != kind:
-            raise ValueError(
-                f"{label}: profile {profile.name!r} is of kind {profile.kind!r}, needed: {kind!r}"
-            )
-    if len(cells) != 2 or any(int(count) != count for count in cells if math.isfinite(count)):
-        raise ValueError(f"cells = {cells}, allowed two whole numbers, 3 .. 200 each")
-    for label, value, low, high, unit in (
-        ("nominal_radius", nominal_radius, 0.2, 1.0, "m"),
-        ("back_to_back", back_to_back, 0.5, 2.0, "m"),
-        ("damping", damping, 0.0, 100.0, "s/m"),
-        ("cells[0]", cells[0], 3, 200, "-"),
-        ("cells[1]", cells[1], 3, 200, "-"),
-    ):
-        if not low <= value <= high:
-            raise ValueError(f"{label} = {value} {unit}, allowed {low} .. {high} {unit}")
+    _check_profiles(wheel_left, wheel_right, rail_left, rail_right)
+    _check_numbers(nominal_radius, back_to_back, damping, cells)
     if theory not in THEORIES:
         raise ValueError(f"unknown theory {theory!r}; known: {', '.join(THEORIES)}")
     if normal not in NORMAL_THEORIES:
@@ -122,6 +105,42 @@ def wheel_rail_model(
         cells_y=int(cells[1]),
         given=GivenCreep(0.0, 0.0, 0.0),
     )
+
+
+def _check_profiles(
+    wheel_left: Profile,
+    wheel_right: Profile,
+    rail_left: Profile | RailCourse,
+    rail_right: Profile | RailCourse,
+) -> None:
+    """ValueError for a profile of the wrong kind."""
+    for label, profile, kind in (
+        ("wheel_left", wheel_left, "wheel"),
+        ("wheel_right", wheel_right, "wheel"),
+        ("rail_left", rail_left, "rail"),
+        ("rail_right", rail_right, "rail"),
+    ):
+        if isinstance(profile, Profile) and profile.kind != kind:
+            raise ValueError(
+                f"{label}: profile {profile.name!r} is of kind {profile.kind!r}, needed: {kind!r}"
+            )
+
+
+def _check_numbers(
+    nominal_radius: float, back_to_back: float, damping: float, cells: tuple[int, int]
+) -> None:
+    """ValueError for a number out of its range."""
+    if len(cells) != 2 or any(int(count) != count for count in cells if math.isfinite(count)):
+        raise ValueError(f"cells = {cells}, allowed two whole numbers, 3 .. 200 each")
+    for label, value, low, high, unit in (
+        ("nominal_radius", nominal_radius, 0.2, 1.0, "m"),
+        ("back_to_back", back_to_back, 0.5, 2.0, "m"),
+        ("damping", damping, 0.0, 100.0, "s/m"),
+        ("cells[0]", cells[0], 3, 200, "-"),
+        ("cells[1]", cells[1], 3, 200, "-"),
+    ):
+        if not low <= value <= high:
+            raise ValueError(f"{label} = {value} {unit}, allowed {low} .. {high} {unit}")
 
 
 def _course(rail: Profile | RailCourse) -> RailCourse:

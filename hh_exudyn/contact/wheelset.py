@@ -109,6 +109,8 @@ def wheel_on_rail(
 ) -> WheelOnRail:
     """The height at which one wheel, in a given pose of its wheelset, carries a vertical load.
 
+    Seventeen arguments: the inputs of the Manchester benchmark one by one, by keyword.
+
     Parameters
     ----------
     wheel, rail : Profile
@@ -156,17 +158,10 @@ def wheel_on_rail(
     _check("roll", roll, -0.1, 0.1, "rad")
     _check("load", load, 1.0, 1e6, "N")
     model = wheel_rail_model(
-        wheel,
-        wheel,
-        rail,
-        rail,
-        nominal_radius=radius,
-        back_to_back=back_to_back,
-        material=material,
-        normal=normal,
-        theory=theory,
-        cells=cells,
-    )
+        wheel, wheel, rail, rail,
+        nominal_radius=radius, back_to_back=back_to_back,
+        material=material, normal=normal, theory=theory, cells=cells,
+    )  # fmt: skip
     return _wheel_at_rest(model, side, pose, float(roll), float(load))
 
 
@@ -191,6 +186,8 @@ def wheelset_equilibrium(
     cells: tuple[int, int] = (30, 30),
 ) -> WheelsetOnRails:
     """The height and the roll at which both wheels of a wheelset carry their loads.
+
+    Seventeen arguments: those of `wheel_on_rail` but for side and roll, and the profiles of two wheels.
 
     Parameters
     ----------

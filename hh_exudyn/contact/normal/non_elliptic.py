@@ -28,6 +28,7 @@ from hh_exudyn.contact.normal.interpenetration import Minimum, gap_curve
 from hh_exudyn.contact.normal.registry import pressure_by_strip, strip
 from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.contact.tangential.strips import HALF_LENGTH, PRESSURE, WIDTH, Y
+from hh_exudyn.contact.types import Triple
 from hh_exudyn.kernel import inlined_kernel, kernel
 
 _STEP_PER_WIDTH = 0.52  # of the search for the edges, over Hertz's lateral semi-axis
@@ -165,21 +166,9 @@ def patch_strips(
         return 0.0, 0.0, 0.0, 0.0, 0.0
     n = strips.shape[0]
     step = (end - start) / n
-    s_start = half_start = pressure_start = s_end = half_end = pressure_end = 0.0
-    for i in range(-1, n + 1):  # both edges too: a cut has a length there
-        y = min(max(start + (i + 0.5) * step, start), end)
-        s, _, half_length, pressure = strip_at(pair, low, y)
-        if i < 0:
-            s_start, half_start, pressure_start = s, half_length, pressure
-        elif i == n:
-            s_end, half_end, pressure_end = s, half_length, pressure
-        else:
-            strips[i, Y], strips[i, HALF_LENGTH], strips[i, PRESSURE] = s, half_length, pressure
-    node = s_start
-    for i in range(n):
-        after = 0.5 * (strips[i, Y] + strips[i + 1, Y]) if i < n - 1 else s_end
-        strips[i, WIDTH] = after - node
-        node = after
+    at_start, at_end = _place_strips(pair, low, start, end, strips)
+    s_start, half_start, pressure_start = at_start
+    s_end, half_end, pressure_end = at_end
     longest, largest, load, moment, area = 0.0, 0.0, 0.0, 0.0, 0.0
     if limit_low < y_wheel and y_wheel < limit_high:
         longest, largest = low.a, low.pressure  # exact, where strips may miss the middle
@@ -208,6 +197,31 @@ def patch_strips(
     scale = math.sqrt(2.0 * area / (math.pi * longest * half_width))
     _refer_to_centre(pair, contact, low, y_centre, strips)
     return _HALF_PI * load, largest, scale * longest, scale * half_width, stiffness
+
+
+@inlined_kernel
+def _place_strips(
+    pair: WheelRailPair, low: Minimum, start: float, end: float, strips: FloatArray
+) -> tuple[Triple, Triple]:
+    """Fill the strips between two places on the wheel; s, half length and pressure at both edges."""
+    n = strips.shape[0]
+    step = (end - start) / n
+    s_start = half_start = pressure_start = s_end = half_end = pressure_end = 0.0
+    for i in range(-1, n + 1):  # both edges too: a cut has a length there
+        y = min(max(start + (i + 0.5) * step, start), end)
+        s, _, half_length, pressure = strip_at(pair, low, y)
+        if i < 0:
+            s_start, half_start, pressure_start = s, half_length, pressure
+        elif i == n:
+            s_end, half_end, pressure_end = s, half_length, pressure
+        else:
+            strips[i, Y], strips[i, HALF_LENGTH], strips[i, PRESSURE] = s, half_length, pressure
+    node = s_start
+    for i in range(n):
+        after = 0.5 * (strips[i, Y] + strips[i + 1, Y]) if i < n - 1 else s_end
+        strips[i, WIDTH] = after - node
+        node = after
+    return (s_start, half_start, pressure_start), (s_end, half_end, pressure_end)
 
 
 @kernel

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from hh_exudyn.arrays import FloatArray
+from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.profiles.axes import PROTRUSION, protrusion_is_down, side_coordinates, tread
 from hh_exudyn.contact.profiles.cleaning import distinct, file_order, single_valued
 from hh_exudyn.contact.profiles.formats import RawPoints, read_points
@@ -154,31 +154,27 @@ def read_profile(
     notes = list(raw.notes)
     y, z = _ordered(path, raw, notes)
     kind = _kind(path, raw, kind, y, z)
-    kept = distinct(y, z)
-    if dropped := len(y) - len(kept):
-        notes.append(f"{dropped} duplicates left out")
-    if len(kept) < MIN_POINTS:
-        raise ValueError(f"profile {path}: {len(kept)} different points, at least {MIN_POINTS} needed")
-    axes = side_coordinates(path, kind, raw.format, y[kept], z[kept], mirrored, flange_back)
+    different = _distinct(path, y, z, notes)
+    dropped = len(y) - len(different)
+    axes = side_coordinates(path, kind, raw.format, y[different], z[different], mirrored, flange_back)
     y, z = axes.y, axes.z
-
-    ripple = ripple_left = curvature_ripple(y, z)
     smoothed = None
+    ripple = ripple_left = curvature_ripple(y, z)
     if smoothing == "always" or (smoothing == "auto" and ripple > RIPPLE_ALLOWED):
         smoothed = smooth(y, z, deviation)
         y, z = smoothed.y, smoothed.z
         ripple_left = curvature_ripple(y, z)
         notes.append(_in_words(smoothed, ripple, ripple_left))
-    kept, loops, overhangs = single_valued(y, z, _anchor(kind, y, z))
+    single, loops, overhangs = single_valued(y, z, _anchor(kind, y, z))
     if loops:
         notes.append(f"{loops} points in loops left out")
     if overhangs:
         notes.append(f"{overhangs} points of overhangs cut off")
-    y, z = y[kept], z[kept]
-    check_points(f"{kind} profile {path}", "point", list(range(1, len(y) + 1)), y, z)
+    y, z, name = y[single], z[single], f"{kind} profile {path}"
+    check_points(name, "point", list(range(1, len(y) + 1)), y, z)
     shift_z = -float(np.interp(0.0, y, z)) if kind == "wheel" else -float(z.max())
     z = z + shift_z
-    check_cover(f"{kind} profile {path}", kind, y, z)
+    check_cover(name, kind, y, z)
     report = ProfileReport(
         format=raw.format,
         kind=kind,
@@ -221,6 +217,16 @@ def _ordered(path: Path, raw: RawPoints, notes: list[str]) -> tuple[FloatArray, 
             f"mm lies {gaps[at - 1]:.4g} mm from the point before, allowed {_WIDEST_GAP:g} mm"
         )
     return y, z
+
+
+def _distinct(path: Path, y: FloatArray, z: FloatArray, notes: list[str]) -> IntArray:
+    """The points that differ from the one before, by index; ValueError where too few are left."""
+    different = distinct(y, z)
+    if dropped := len(y) - len(different):
+        notes.append(f"{dropped} duplicates left out")
+    if len(different) < MIN_POINTS:
+        raise ValueError(f"profile {path}: {len(different)} different points, at least {MIN_POINTS} needed")
+    return different
 
 
 def _anchor(kind: str, y: FloatArray, z: FloatArray) -> int:

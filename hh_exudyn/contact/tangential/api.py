@@ -128,6 +128,8 @@ def creep_force(
 ) -> CreepForce:
     """Creep force and spin moment on the wheel.
 
+    Ten arguments: the seven numbers that define a rolling ellipse stand in the order of the literature.
+
     Parameters
     ----------
     theory : str
@@ -177,7 +179,7 @@ def traction_field(
 ) -> TractionField:
     """Pressure, traction on the wheel and slip over the patch.
 
-    Parameters and errors as `creep_force`; the grid has cells[0] cells along x and cells[1] strips.
+    Arguments and errors as `creep_force`, ten too; the grid has cells[0] cells along x, cells[1] strips.
 
     Returns
     -------
