@@ -5,7 +5,7 @@ come from the rigid-body velocity of the wheel's material at the contact point r
 `friction` the coefficient for this patch at its slip, `tangential` the creep forces.
 
 The slip speed on which friction falls is that of the patch as a whole (creepages times speed, Polach's w):
-neither the spin, whose slip cancels about the middle, nor what adheres within the patch is seen.
+neither the spin, of which the slip cancels about the middle, nor adhesion within the patch counts.
 
 The contact frame C: x along the rail's surface, R rolled about x by side * contact angle, z the normal from
 the rail into the wheel. R is the frame of the rail at the wheelset's arc length; at a contact ahead of the
@@ -75,7 +75,7 @@ def add_patch(
     Parameters
     ----------
     model : WheelRailModel
-        What does not change during a run.
+        Everything that does not change during a run.
     pair : WheelRailPair
         Profiles of wheel and rail, and the wheelset's pose.
     contact : FloatArray

@@ -1,4 +1,4 @@
-"""What enters and leaves the contact kernels, as NamedTuples; the record of a patch is in `state`.
+"""Inputs and results of the contact kernels, as NamedTuples; the record of a patch is in `state`.
 
 Dataclasses cannot enter numba kernels, and a NamedTuple defined in a script never meets the kernel cache;
 so the types live here.
@@ -9,14 +9,14 @@ from typing import Any, NamedTuple
 from hh_exudyn.arrays import FloatArray
 
 Triple = tuple[float, float, float]
-Memory = Any  # what `kernel.memory` gives
+Memory = Any  # of `kernel.memory`
 
 
 class SplineTable(NamedTuple):
     """A profile z(y) as a cubic spline on a uniform grid, in side coordinates.
 
     Value, slope and second derivative are continuous. Outside the grid there is no profile. The last three
-    fields follow from the others: they are what the contact search would otherwise compute again and again.
+    fields follow from the others: the contact search would otherwise compute them again and again.
     """
 
     start: float  # y of the first node [m]
@@ -88,7 +88,7 @@ class WheelsetMotion(NamedTuple):
 class RailMotion(NamedTuple):
     """Place, direction and motion of the rails under n wheelsets; second index 0 left, 1 right.
 
-    A rail is a prism along the x axis of its frame R, whose origin is that of the rail's profile. R is T
+    A rail is a prism along the x axis of its frame R, with the origin of the rail's profile. R is T
     turned by all that makes this rail run otherwise than the track at this place: irregularity, ramps of
     cant and gauge, deflection. Its material rests but for its own elastic motion.
     """
@@ -109,7 +109,7 @@ class ContactForces(NamedTuple):
 
 
 class RollingPatch(NamedTuple):
-    """An elliptic patch in steady rolling: what every tangential theory takes.
+    """An elliptic patch in steady rolling: the argument of every tangential theory.
 
     Of a patch that is no ellipse, the equivalent one (of its area): for Kalker's coefficients only.
     """
@@ -154,7 +154,7 @@ class SlipVelocity(NamedTuple):
 
 
 class NormalContact(NamedTuple):
-    """Normal force of a patch and what follows from the normal theory alone."""
+    """Normal force of a patch and further results of the normal theory."""
 
     elastic: float  # normal force without contact damping [N]
     max_pressure: float  # under the whole normal force [Pa]

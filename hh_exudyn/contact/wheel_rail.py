@@ -58,7 +58,7 @@ def wheel_rail_model(
     wheel_left, wheel_right : Profile
         Wheels.
     rail_left, rail_right : Profile or RailCourse
-        The rails include their inclination; one profile all along, or what lies where.
+        The rails include their inclination; one profile all along, or a course of profiles.
     nominal_radius : float
         Wheel radius at the running circle [m], 0.2 .. 1.
     back_to_back : float
@@ -74,7 +74,7 @@ def wheel_rail_model(
     cells : tuple of int
         Cells of the tangential solve along and across the patch, 3 .. 200 each.
     smoothing : float
-        Length over which the profiles' curvature is blurred (see `profile_spline.spline_table`) [m].
+        Length over which the profiles' curvature is blurred (see `spline.spline_table`) [m].
 
     Raises
     ------
@@ -173,7 +173,7 @@ def wheel_rail_forces(
     Returns
     -------
     int
-        0, or 1 + 2 * wheelset + side index of the first wheel whose state or force is not finite.
+        0, or 1 + 2 * wheelset + side index of the first wheel with a state or force that is not finite.
     """
     contacts = np.empty((MAX_MINIMA, CONTACT_COLUMNS))
     strips = np.empty((0 if model.normal == HERTZ else model.cells_y, STRIP_COLUMNS))

@@ -77,7 +77,7 @@ class WheelsetOnRails:
 
 @dataclass(frozen=True)
 class _Pose:
-    """What is given of a wheelset, checked."""
+    """The given part of a wheelset's pose and motion, checked."""
 
     lateral: float
     yaw: float

@@ -21,7 +21,7 @@ WHEEL = "wheel"  # of the patch's wheel on its rail
 WHEELSET = "wheelset"  # of the patch's, or the driven, wheelset
 VEHICLE = "vehicle"  # of all bodies together
 LEDGER = "ledger"  # copied from the ledger of powers
-CONTROLLER = "controller"  # what drivers and actuators did
+CONTROLLER = "controller"  # of drivers and actuators
 
 
 class Column(NamedTuple):

@@ -63,7 +63,7 @@ class Run:
 
     @property
     def vehicle_text(self) -> str | None:
-        """The vehicle that ran (JSON); None in runs of versions that did not keep it."""
+        """The vehicle that ran (JSON); None in runs of versions that did not store it."""
         path = self.directory / VEHICLE_FILE
         return path.read_text(encoding="utf-8") if path.is_file() else None
 

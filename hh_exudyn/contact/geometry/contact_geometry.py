@@ -2,7 +2,7 @@
 
 The wheels neither sink into the rails nor lift off. For a wheel these are the functions that GENSYS's KPF
 tabulates (contact positions on wheel and rail, rolling radius, contact angle, wheel lift, lateral
-curvatures); for a wheelset also the roll that keeps both wheels on the rails.
+curvatures); for a wheelset also the roll at which both wheels touch.
 
 The displacement is that of the wheelset to the left, y of the track frame.
 """
@@ -148,7 +148,7 @@ def contact_functions(
     roll : FloatArray or float
         (n,) or one for all [rad], -0.1 .. 0.1.
     smoothing : float
-        Length over which the profiles' curvature is blurred (`profile_spline.spline_table`) [m].
+        Length over which the profiles' curvature is blurred (`spline.spline_table`) [m].
 
     Raises
     ------
@@ -202,7 +202,7 @@ def wheelset_functions(
     roll : FloatArray, float or None
         None: the roll at which both wheels touch. Otherwise given, (n,) or one for all [rad], -0.1 .. 0.1.
     smoothing : float
-        Length over which the profiles' curvature is blurred (`profile_spline.spline_table`) [m].
+        Length over which the profiles' curvature is blurred (`spline.spline_table`) [m].
 
     Raises
     ------

@@ -105,9 +105,9 @@ def equivalent_conicity(
     Returns
     -------
     FloatArray
-        (m,) tan gamma_e; see `conicity.conicity_from_radius_difference` for what zero, negative values and
-        NaN mean. An amplitude beyond the flange clearance (`merit.flange_clearance`) is answered too: the
-        wheel climbs its flange, the conicity rises steeply.
+        (m,) tan gamma_e; see `conicity.conicity_from_radius_difference` for the meaning of zero,
+        negative values and NaN. Beyond the flange clearance (`merit.flange_clearance`) the wheel climbs its
+        flange and the conicity rises steeply.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What a pair of profiles is worth on a track: flange clearance, conicity, steering in curves, gauge.
+"""Figures of merit of a profile pair on a track: flange clearance, conicity, steering in curves, gauge.
 
 All of it follows from the rolling radius difference of `functions`, without roll as in EN 15302.
 """
@@ -136,7 +136,7 @@ class ConicityReport:
     functions : WheelsetFunctions
         Without roll, over lateral displacements of +-25 mm (less where a profile ends).
     gauge, radius, tape_distance : float
-        What they were computed for [m].
+        Of the track and the wheelset [m].
     clearance_right, clearance_left : float
         Displacements at which a flange begins to touch, the first negative [m].
     amplitudes, conicity : FloatArray

@@ -129,7 +129,7 @@ def rolled_wheelset(left: StandingWheel, right: StandingWheel, lateral: float, s
     """Roll at which both wheels touch their rails [rad]; NaN where there is none.
 
     The difference of the centre heights that the two wheels ask for grows with the roll: bracketed around
-    `start`, then Newton's method kept inside the bracket.
+    `start`, then Newton's method inside the bracket.
     """
     low = high = start
     difference, rate = 0.0, 1.0

@@ -48,7 +48,7 @@ LIMIT_HIGH = 15
 STIFFNESS = 16  # of its pressure where it is cut, else 0: see `non_elliptic.patch_strips`
 CONTACT_COLUMNS = 17
 
-_MOST_MINIMA = 12  # of one wheel that are kept; standard profiles have up to 4
+_MOST_MINIMA = 12  # of one wheel; standard profiles have up to 4
 MAX_MINIMA = _MOST_MINIMA + 6  # rows of the working memory: in the last six, intervals wait for their turn
 _RANGE_START, _RANGE_END = -0.035, 0.055  # m, the part of a wheel that can meet the rail head
 _DEEPEST = 0.05  # m, radius of a flange tip less that of the running circle, at most
@@ -72,7 +72,7 @@ class _Found(NamedTuple):
     """The state of the search: rows of contacts so far, and the saddle since the last of them."""
 
     rows: int
-    saddle: float  # its depth, 0 where the gap has opened [m]
+    saddle: float  # its depth, 0 after an open gap [m]
     saddle_y: float  # where it lies on the wheel profile [m]
 
 
@@ -132,7 +132,7 @@ def _complete(pair: WheelRailPair, contacts: FloatArray, count: int) -> None:
 
 @inlined_kernel
 def _find_minima(pair: WheelRailPair, contacts: FloatArray) -> int:
-    """Halve intervals of nodes until what they hold is certain, find the zeros: rows of `contacts`.
+    """Halve intervals of nodes until their zeros are certain, find these: rows of `contacts`.
 
     In the order of y: Y_WHEEL, Y_RAIL, CONTACT_ANGLE, RAIL_CURVATURE, DEPTH, SADDLE, SADDLE_Y, _WEIGHT (1).
     """

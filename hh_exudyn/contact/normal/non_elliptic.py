@@ -36,7 +36,7 @@ _SMALLEST_STEP, _LARGEST_STEP = 0.02e-3, 1.5e-3  # m
 _MAX_STEPS = 100  # outwards and in the bracket together
 _TOLERANCE = 1e-9  # m, of an edge
 _HALF_PI = 0.5 * math.pi
-_SQUARE_ROOT_EDGE = 0.086110  # -zeta(-1/2, 1/2) sqrt(2): what midpoints add to the area of sqrt(y) at y = 0
+_SQUARE_ROOT_EDGE = 0.086110  # -zeta(-1/2, 1/2) sqrt(2): excess of midpoints in the area of sqrt(y) at y = 0
 
 
 @kernel
@@ -83,7 +83,7 @@ def strip_at(pair: WheelRailPair, low: Minimum, y_wheel: float) -> tuple[float, 
 def edge(pair: WheelRailPair, low: Minimum, limit: float) -> float:
     """Where the patch ends on the side of `limit`, at the latest there: y on the wheel profile [m].
 
-    Steps outwards until a strip is not in contact, then the secant method kept in its bracket (Illinois) over
+    Steps outwards until a strip is not in contact, then the secant method in its bracket (Illinois) over
     the square of the distance, in which an ellipse's `inside` is a straight line.
     """
     direction = 1.0 if limit > low.y_wheel else -1.0
@@ -127,7 +127,7 @@ def patch_strips(
     stiffness: float,
     strips: FloatArray,
 ) -> tuple[float, float, float, float, float]:
-    """The strips of one patch and what they carry (kernel: trusts its input).
+    """The strips of one patch and their load (kernel: trusts its input).
 
     Midpoint sums with the end corrections that make them exact for an elliptic gap: of the force (a parabola
     over y) and of the area (a square root at each edge).
@@ -230,7 +230,7 @@ def _refer_to_centre(
 ) -> None:
     """Take the centre of pressure as the place of a contact, and as the origin of its strips.
 
-    The contact plane there is between wheel and rail, whose slopes differ where the patch is not symmetric:
+    The contact plane there is between wheel and rail: their slopes differ where the patch is not symmetric:
     two equal bodies meet half way.
     """
     centre, _, _ = gap_curve(pair, low, y_wheel)
@@ -248,7 +248,7 @@ def _refer_to_centre(
 
 @kernel
 def _end_correction(strips: FloatArray, first: int, second: int, at_edge: float) -> float:
-    """What the midpoint sum of half length times pressure has too much at one end.
+    """Excess of the midpoint sum of half length times pressure at one end.
 
     (Width^2/24) times the slope there, from the parabola through the values at the edge and in the first two
     strips (Euler-Maclaurin).
@@ -269,7 +269,7 @@ def _correction(width: float, at_edge: float, first: float, second: float) -> fl
 
 @kernel
 def _area_correction(strips: FloatArray, i: int, at_edge: float) -> float:
-    """What the midpoint sum of half lengths has too much at one end, where they begin with a square root."""
+    """Excess of the midpoint sum of half lengths at one end, where they begin with a square root."""
     half_length = strips[i, HALF_LENGTH]
     if not half_length > at_edge:
         return 0.0

@@ -2,7 +2,7 @@
 
 A reference model of hunting (suspended wheelset, Cooperrider's bogie) has a rolling radius r0 + conicity * y
 and creep forces F_x = -f11 nu_x, F_y = -f22 nu_y, nothing else. So the wheels here are cylinders on crowned
-rails, whose rolling radius alone grows with the place of the contact on the wheel,
+rails, of which the rolling radius alone grows with the place of the contact on the wheel,
 
     r = r0 + conicity * y_wheel,                                                                     (1)
 

@@ -8,7 +8,7 @@ The traction is assumed to grow linearly from the leading edge (gradient from Ka
 ellipsoidal bound; its sum is a closed formula of one scaled creepage. Under longitudinal or lateral creepage
 alone that is FASTSIM with the elliptic bound, summed in closed form (they agree to 1e-5). Spin acts through
 the creepage at the patch's edge, nu_y + a phi, and through a lateral force of its own with a factor for a/b.
-Known properties of the formulas, kept as published:
+Known properties of the published formulas:
 
 * the slopes at zero creepage are Kalker's for longitudinal creepage alone, lateral creepage with spin, and
   spin alone; longitudinal and lateral creepage together share one mean of C11 and C22, and longitudinal

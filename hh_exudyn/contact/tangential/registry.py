@@ -34,7 +34,7 @@ class Theory(NamedTuple):
 
     number: int  # by which kernels know it; 0 is none
     name: str
-    meaning: str  # with its source, and what it leaves out
+    meaning: str  # with its source and omissions
     has_field: bool = True  # whether it gives stress and slip over the patch, or forces only
     has_moment: bool = True  # whether it gives a spin moment
     takes_strips: bool = False  # whether it takes patches of any shape

@@ -43,7 +43,7 @@ class RollingCase:
 
     @property
     def arguments(self) -> tuple[float, float, float, float, float, float, float, Material]:
-        """What `creep_force` and `traction_field` take after the theory."""
+        """Arguments of `creep_force` and `traction_field` after the theory."""
         return (
             self.a, self.b, self.normal_force, self.nu_x, self.nu_y, self.phi, self.friction, self.material,
         )  # fmt: skip
@@ -53,7 +53,7 @@ class RollingCase:
 class ExactForce:
     """Exact creep force on the wheel, over friction * normal force (moment: times sqrt(a b) more).
 
-    `others` holds what the reference program's own simplified theories give, (F_x, F_y) by column name.
+    `others` holds the forces of the reference program's own simplified theories, (F_x, F_y) by column name.
     """
 
     case: RollingCase
