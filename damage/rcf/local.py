@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 
 from damage.material import WheelMaterial
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.tangential.theories import FIELD_THEORIES, THEORIES, field_kernel
+from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel
 from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 

@@ -8,11 +8,11 @@ assumes (Hossein-Nia 2018, figure 3-19); the field's force then exceeds the logg
 import math
 
 from hh_exudyn.contact.normal.hertz import peak_pressure
-from hh_exudyn.contact.tangential.theories import FIELD_THEORIES, THEORIES, field_kernel
+from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel
 from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
-FULL_SLIP = 0  # no number of `theories.THEORIES`
+FULL_SLIP = 0  # no number of `registry.THEORIES`
 DAMAGE_THEORIES: dict[str, int] = {name: THEORIES[name] for name in FIELD_THEORIES} | {"full_slip": FULL_SLIP}
 """Theories that damage can solve a contact state with: name to number."""
 

@@ -18,7 +18,7 @@ from damage.wear.strip_wear import strip_wear
 from damage.wear.values import REGIMES, LawValues
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import STEEL, Material
-from hh_exudyn.contact.tangential.theories import FIELD_THEORIES, THEORIES, field_kernel
+from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel
 from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 

@@ -36,7 +36,7 @@ def strip_wear(
     patch
         The patch that the fields belong to.
     fields
-        (ny, nx) stress and slip, as `hh_exudyn.contact.tangential.theories.field_kernel` fills them.
+        (ny, nx) stress and slip, as `hh_exudyn.contact.tangential.registry.field_kernel` fills them.
     speed
         Forward speed [m/s], > 0.
     rolling_radius

@@ -11,8 +11,9 @@ from hh_exudyn.case.alignment import CentreLineCase, GradeCase, SectionCase
 from hh_exudyn.case.fields import CaseTable, is_path, number
 from hh_exudyn.case.rails import RailName, sided
 from hh_exudyn.contact.geometry.rail_tables import CHANGE_LENGTH, RailCourse
-from hh_exudyn.contact.normal.non_elliptic import check_combination
+from hh_exudyn.contact.normal.registry import NORMAL_THEORIES, check_combination
 from hh_exudyn.contact.profile import Profile
+from hh_exudyn.contact.tangential.registry import RUN_THEORIES
 from hh_exudyn.conventions import LEFT
 from track.course.alignment import Alignment
 from track.course.alignment_csv import read_alignment_csv
@@ -241,10 +242,8 @@ class ContactCase(CaseTable):
     registers. With the theory "given" profiles, coefficients and conicity are those that the vehicle states.
     """
 
-    normal: Literal["hertz", "analyn", "kik_piotrowski"] = "hertz"
-    theory: Literal[
-        "fastrip", "fastsim", "fastsim_single", "fastsim_elliptic", "strip", "polach", "given"
-    ] = "fastrip"
+    normal: Literal[*NORMAL_THEORIES] = "hertz"  # type: ignore[valid-type]
+    theory: Literal[*RUN_THEORIES] = "fastrip"  # type: ignore[valid-type]
     cells: tuple[_Cells, _Cells] = Field(
         default=(32, 16), strict=False, json_schema_extra={"allowed": "two whole numbers from 5 to 100"}
     )

@@ -77,7 +77,7 @@ def patch(
         names = _theories(theory or [])
         from hh_exudyn.contact.material import STEEL
         from hh_exudyn.contact.tangential.api import creep_force, traction_field
-        from hh_exudyn.contact.tangential.theories import FIELD_THEORIES
+        from hh_exudyn.contact.tangential.registry import FIELD_THEORIES
         from hh_exudyn.figures.patch import PatchLoad, patch_figure
 
         load = PatchLoad(a_mm * 1e-3, b_mm * 1e-3, load_kn * 1e3, nu_x, nu_y, spin, friction)
@@ -242,7 +242,7 @@ def _summary(report: "ConicityReport") -> str:
 
 def _theories(wanted: list[str]) -> list[str]:
     """The theories asked for, all without a wish, in the order of the toolkit's own list."""
-    from hh_exudyn.contact.tangential.theories import THEORIES
+    from hh_exudyn.contact.tangential.registry import THEORIES
 
     for name in wanted:
         if name not in THEORIES:

@@ -1,6 +1,6 @@
 """The friction coefficient of a patch: where on the track, on which wheel and where on it, how fast it slips.
 
-`track.friction` describes friction in words and numbers and makes the table; here is what the contact reads.
+`track.friction` describes friction in words and numbers and makes the table that the contact reads here.
 """
 
 import math
@@ -14,7 +14,7 @@ from hh_exudyn.kernel import inlined_kernel
 
 
 class FrictionTable(NamedTuple):
-    """What the kernel reads. Angles in rad, lengths in m.
+    """Friction of a run as the kernel reads it. Angles in rad, lengths in m.
 
     A surface is one state of wheel and rail along the whole track: wheelsets that bring their own lubricant
     with them run on another surface than those that do not.
@@ -78,7 +78,7 @@ def friction_at(
     flange = _smooth_step((contact_angle - table.flange_from) / (table.flange_to - table.flange_from))
     surface = table.surface[wheelset]
 
-    low, high = 0, table.begin.shape[0]  # the section: the last whose change has begun
+    low, high = 0, table.begin.shape[0]  # the section: the last of which the change has begun
     while high - low > 1:
         middle = (low + high) // 2
         if s >= table.begin[middle]:

@@ -5,7 +5,7 @@ come from the rigid-body velocity of the wheel's material at the contact point r
 `friction` the coefficient for this patch at its slip, `tangential` the creep forces.
 
 The slip speed on which friction falls is that of the patch as a whole (creepages times speed, Polach's w):
-neither the spin, whose slip cancels about the middle, nor what adheres within the patch is seen.
+neither the spin, of which the slip cancels about the middle, nor adhesion within the patch counts.
 
 The contact frame C: x along the rail's surface, R rolled about x by side * contact angle, z the normal from
 the rail into the wheel. R is the frame of the rail at the wheelset's arc length; at a contact ahead of the
@@ -18,7 +18,6 @@ some 0.05 mm, from where the deformed surfaces meet: without influence on any mo
 """
 
 import math
-from typing import NamedTuple
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.friction import FrictionTable, friction_at
@@ -35,71 +34,33 @@ from hh_exudyn.contact.geometry.search import (
     Y_WHEEL,
 )
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette
-from hh_exudyn.contact.normal.hertz import normal_contact
-from hh_exudyn.contact.normal.non_elliptic import CURVATURE_FLOOR, HERTZ, minimum, patch_strips
+from hh_exudyn.contact.normal.hertz import CURVATURE_FLOOR, normal_contact
+from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
+from hh_exudyn.contact.normal.registry import HERTZ
 from hh_exudyn.contact.profiles.spline import spline_evaluate
-from hh_exudyn.contact.tangential.api import force_kernel
-from hh_exudyn.contact.tangential.fastrip import force_on_strips
-from hh_exudyn.contact.tangential.theories import GIVEN
+from hh_exudyn.contact.state import write_patch
+from hh_exudyn.contact.tangential.registry import GIVEN, force_kernel, strips_kernel
 from hh_exudyn.contact.types import (
     ContactForces,
-    Patch,
+    ContactFrame,
+    NormalContact,
     RailMotion,
     RailTables,
     RollingPatch,
+    SlipVelocity,
+    Triple,
     WheelRailModel,
     WheelsetMotion,
 )
 from hh_exudyn.kernel import inlined_kernel
 
-Triple = tuple[float, float, float]
-
 CREEPAGE_SPEED_FLOOR = 0.1  # m/s, the least speed that creepages refer to
-
-_PATCH_Y_WHEEL = int(Patch.Y_WHEEL)
-_PATCH_Y_RAIL = int(Patch.Y_RAIL)
-_PATCH_X_SHIFT = int(Patch.X_SHIFT)
-_PATCH_CONTACT_ANGLE = int(Patch.CONTACT_ANGLE)
-_PATCH_ROLLING_RADIUS = int(Patch.ROLLING_RADIUS)
-_PATCH_NORMAL_FORCE = int(Patch.NORMAL_FORCE)
-_PATCH_A = int(Patch.A)
-_PATCH_B = int(Patch.B)
-_PATCH_P_MAX = int(Patch.P_MAX)
-_PATCH_NU_X = int(Patch.NU_X)
-_PATCH_NU_Y = int(Patch.NU_Y)
-_PATCH_PHI = int(Patch.PHI)
-_PATCH_FRICTION = int(Patch.FRICTION)
-_PATCH_FORCE_X = int(Patch.FORCE_X)
-_PATCH_FORCE_Y = int(Patch.FORCE_Y)
-_PATCH_MOMENT_Z = int(Patch.MOMENT_Z)
-_PATCH_APPROACH = int(Patch.APPROACH)
-_PATCH_POWER = int(Patch.POWER)
-_PATCH_FLOORED = int(Patch.FLOORED)
-
-
-class ContactFrame(NamedTuple):
-    """Contact point and contact frame C of a patch, in axes of T."""
-
-    point: Triple  # from the wheelset's centre [m]
-    along: Triple  # unit vectors: x of C
-    across: Triple  # y of C
-    normal: Triple  # z of C, from the rail into the wheel
-
-
-class SlipVelocity(NamedTuple):
-    """Velocity of the wheel's material at the contact point relative to the rail's, in C."""
-
-    along: float  # with what the creepage lags behind [m/s]
-    across: float  # the same [m/s]
-    approach: float  # of the wheel to the rail along the normal [m/s]
-    spin: float  # angular velocity about the normal [rad/s]
 
 
 @inlined_kernel
 def add_patch(
     model: WheelRailModel,
     pair: WheelRailPair,
-    along: RailTables,
     contact: FloatArray,
     strips: FloatArray,
     wheelsets: WheelsetMotion,
@@ -111,22 +72,32 @@ def add_patch(
 ) -> bool:
     """Add the forces of patch `number` of a wheel of wheelset i; False where it carries no force.
 
-    `along` is the rail on its side, `contact` and `strips` are what the search has found.
+    Parameters
+    ----------
+    model : WheelRailModel
+        Everything that does not change during a run.
+    pair : WheelRailPair
+        Profiles of wheel and rail, and the wheelset's pose.
+    contact : FloatArray
+        (CONTACT_COLUMNS,) the patch as `search` or `neighbours` found it; a patch of strips moves to its
+        centre of pressure.
+    strips : FloatArray
+        (cells_y, STRIP_COLUMNS) working memory.
+    wheelsets, rails : WheelsetMotion, RailMotion
+        Of all wheelsets and their rails.
+    friction_table : FrictionTable
+        Friction by place, wheel and slip speed.
+    i : int
+        Number of the wheelset, from 0.
+    forces : ContactForces
+        Wrench and rail force are added to, the record of the patch is written.
+    number : int
+        Place of the record among those of the wheel, from 0.
     """
     floored = 0.5 * (contact[WHEEL_CURVATURE] + contact[RAIL_CURVATURE]) < CURVATURE_FLOOR
-    if model.normal == HERTZ:
-        # A and B are half the sums of the curvatures in the normal section
-        elastic, a, b, max_pressure = normal_contact(
-            contact[APPROACH],
-            0.5 * math.cos(contact[CONTACT_ANGLE]) / contact[RADIUS],
-            max(0.5 * (contact[WHEEL_CURVATURE] + contact[RAIL_CURVATURE]), CURVATURE_FLOOR),
-            model.shear_modulus,
-            model.poisson_ratio,
-        )
-    else:
-        low = minimum(model.normal, pair, contact, model.shear_modulus, model.poisson_ratio)
-        elastic, max_pressure, a, b, _ = patch_strips(pair, contact, low, contact[STIFFNESS], strips)
+    elastic, max_pressure, a, b = _normal_forces(model, pair, contact, strips)
     side = 0 if pair.side > 0.0 else 1
+    along = model.rails_left if side == 0 else model.rails_right
     frame = _contact_frame(pair, along, contact, rails, i, side)
     slip = _slip_velocity(model, contact, frame, wheelsets, rails, i, side)
     factor = 1.0 + model.damping * slip.approach
@@ -150,31 +121,41 @@ def add_patch(
         force_x, force_y, moment_z = -model.given.longitudinal * nu_x, -model.given.lateral * nu_y, 0.0
     elif model.normal == HERTZ:
         force_x, force_y, moment_z = force_kernel(model.theory, rolling, model.cells_x, model.cells_y)
-    elif friction > 0.0:
-        force_x, force_y, moment_z = force_on_strips(strips, strips.shape[0], rolling, model.cells_x)
     else:
-        force_x, force_y, moment_z = 0.0, 0.0, 0.0
+        force_x, force_y, moment_z = strips_kernel(model.theory, strips, rolling, model.cells_x)
     _add_wrench(frame, (force_x, force_y, normal), moment_z, forces, i, side)
 
-    patch = forces.patches[i, side, number]
-    _write_geometry(patch, contact, frame)
-    patch[_PATCH_NORMAL_FORCE] = normal
-    patch[_PATCH_A] = a
-    patch[_PATCH_B] = b
-    patch[_PATCH_P_MAX] = max_pressure * factor  # of the whole normal force on the ellipse
-    patch[_PATCH_NU_X] = nu_x
-    patch[_PATCH_NU_Y] = nu_y
-    patch[_PATCH_PHI] = phi
-    patch[_PATCH_FRICTION] = friction
-    patch[_PATCH_FORCE_X] = force_x
-    patch[_PATCH_FORCE_Y] = force_y
-    patch[_PATCH_MOMENT_Z] = moment_z
-    # Lost are the creep power and the damping part of the normal power; the elastic part comes back.
-    patch[_PATCH_POWER] = -(force_x * slip.along + force_y * slip.across + moment_z * slip.spin) + (
-        (normal - elastic) * slip.approach
+    write_patch(
+        forces.patches[i, side, number],
+        contact,
+        frame,
+        rolling,
+        (force_x, force_y, moment_z),
+        # the largest pressure is that of the whole normal force on the ellipse
+        NormalContact(elastic, max_pressure * factor, floored),
+        slip,
     )
-    patch[_PATCH_FLOORED] = 1.0 if floored else 0.0
     return True
+
+
+@inlined_kernel
+def _normal_forces(
+    model: WheelRailModel, pair: WheelRailPair, contact: FloatArray, strips: FloatArray
+) -> tuple[float, float, float, float]:
+    """Elastic normal force [N], largest pressure [Pa] and semi-axes [m] of a patch; see `add_patch`."""
+    if model.normal == HERTZ:
+        # A and B are half the sums of the curvatures in the normal section
+        elastic, a, b, max_pressure = normal_contact(
+            contact[APPROACH],
+            0.5 * math.cos(contact[CONTACT_ANGLE]) / contact[RADIUS],
+            max(0.5 * (contact[WHEEL_CURVATURE] + contact[RAIL_CURVATURE]), CURVATURE_FLOOR),
+            model.shear_modulus,
+            model.poisson_ratio,
+        )
+    else:
+        low = minimum(model.normal, pair, contact, model.shear_modulus, model.poisson_ratio)
+        elastic, max_pressure, a, b, _ = patch_strips(pair, contact, low, contact[STIFFNESS], strips)
+    return elastic, max_pressure, a, b
 
 
 @inlined_kernel
@@ -293,17 +274,6 @@ def _add_wrench(
     wrench[5] += px * y - py * x + moment * normal[2]
     forces.rail_force[i, side, 0] -= y
     forces.rail_force[i, side, 1] -= z
-
-
-@inlined_kernel
-def _write_geometry(patch: FloatArray, contact: FloatArray, frame: ContactFrame) -> None:
-    """The columns of a contact state that say where the contact lies."""
-    patch[_PATCH_Y_WHEEL] = contact[Y_WHEEL]
-    patch[_PATCH_Y_RAIL] = contact[Y_RAIL]
-    patch[_PATCH_X_SHIFT] = frame.point[0]
-    patch[_PATCH_CONTACT_ANGLE] = contact[CONTACT_ANGLE]
-    patch[_PATCH_ROLLING_RADIUS] = contact[RADIUS]
-    patch[_PATCH_APPROACH] = contact[APPROACH]
 
 
 @inlined_kernel

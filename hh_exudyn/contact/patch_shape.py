@@ -17,7 +17,8 @@ from hh_exudyn.contact.geometry.rail_tables import rail_at
 from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS, Y_WHEEL
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette, wheel_rail_pair
 from hh_exudyn.contact.normal.neighbours import find_patches
-from hh_exudyn.contact.normal.non_elliptic import HERTZ, minimum, patch_strips
+from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
+from hh_exudyn.contact.normal.registry import HERTZ
 from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.contact.tangential.api import TractionField
 from hh_exudyn.contact.tangential.fastrip import field_on_strips
@@ -32,7 +33,7 @@ _ALIKE = 1.5  # of the semi-axes, whatever the number of strips
 
 
 class State(Protocol):
-    """What is needed of a contact state: a `ContactState`, or a row of the contact log by attributes."""
+    """Attributes of a patch that its shape follows from: a `ContactState` has them, or a row of the log."""
 
     @property
     def side(self) -> int: ...
@@ -146,7 +147,8 @@ def patch_shape(model: WheelRailModel, state: State, strips: int = 50) -> PatchS
     if rows[0, Y] > rows[-1, Y]:
         rows = rows[::-1]
     shape = PatchShape(rows[:, Y], rows[:, WIDTH], rows[:, HALF_LENGTH], rows[:, PRESSURE], a, b)
-    scale = state.normal_force / shape.normal_force()  # contact damping, and what strips leave to their edges
+    # for the contact damping, and the error of the strips at their edges
+    scale = state.normal_force / shape.normal_force()
     return PatchShape(shape.y, shape.width, shape.half_length, scale * shape.pressure, a, b)
 
 

@@ -1,22 +1,22 @@
-"""What enters and leaves the contact kernels: NamedTuples and the columns of a contact state.
+"""Inputs and results of the contact kernels, as NamedTuples; the record of a patch is in `state`.
 
 Dataclasses cannot enter numba kernels, and a NamedTuple defined in a script never meets the kernel cache;
 so the types live here.
 """
 
-from enum import IntEnum
 from typing import Any, NamedTuple
 
 from hh_exudyn.arrays import FloatArray
 
-Memory = Any  # what `kernel.memory` gives
+Triple = tuple[float, float, float]
+Memory = Any  # of `kernel.memory`
 
 
 class SplineTable(NamedTuple):
     """A profile z(y) as a cubic spline on a uniform grid, in side coordinates.
 
     Value, slope and second derivative are continuous. Outside the grid there is no profile. The last three
-    fields follow from the others: they are what the contact search would otherwise compute again and again.
+    fields follow from the others: the contact search would otherwise compute them again and again.
     """
 
     start: float  # y of the first node [m]
@@ -67,11 +67,11 @@ class WheelRailModel(NamedTuple):
     shear_modulus: float  # of both bodies [Pa]
     poisson_ratio: float
     damping: float  # Hunt-Crossley damping d of the normal force N (1 + d * approach rate) [s/m]
-    normal: int  # a value of `non_elliptic.NORMAL_THEORIES`
+    normal: int  # a value of `normal.registry.NORMAL_THEORIES`
     theory: int  # a value of `tangential.THEORIES`
     cells_x: int  # cells of the tangential solve along and across the patch
     cells_y: int
-    given: GivenCreep  # for the theory `theories.GIVEN` only
+    given: GivenCreep  # for the theory `registry.GIVEN` only
 
 
 class WheelsetMotion(NamedTuple):
@@ -88,7 +88,7 @@ class WheelsetMotion(NamedTuple):
 class RailMotion(NamedTuple):
     """Place, direction and motion of the rails under n wheelsets; second index 0 left, 1 right.
 
-    A rail is a prism along the x axis of its frame R, whose origin is that of the rail's profile. R is T
+    A rail is a prism along the x axis of its frame R, with the origin of the rail's profile. R is T
     turned by all that makes this rail run otherwise than the track at this place: irregularity, ramps of
     cant and gauge, deflection. Its material rests but for its own elastic motion.
     """
@@ -109,7 +109,7 @@ class ContactForces(NamedTuple):
 
 
 class RollingPatch(NamedTuple):
-    """An elliptic patch in steady rolling: what every tangential theory takes.
+    """An elliptic patch in steady rolling: the argument of every tangential theory.
 
     Of a patch that is no ellipse, the equivalent one (of its area): for Kalker's coefficients only.
     """
@@ -135,29 +135,30 @@ class Fields(NamedTuple):
     slip_y: FloatArray
 
 
-class Patch(IntEnum):
-    """Columns of one contact state, as the kernels write it. Frame C, forces on the wheel, SI units."""
+class ContactFrame(NamedTuple):
+    """Contact point and contact frame C of a patch, in axes of T."""
 
-    Y_WHEEL = 0  # lateral position on the wheel profile, side coordinates [m]
-    Y_RAIL = 1  # lateral position on the rail profile, side coordinates [m]
-    X_SHIFT = 2  # contact ahead (+) of the wheelset's centre along the track, x of T [m]
-    CONTACT_ANGLE = 3  # of the contact plane about the rail's x axis, positive towards the flange [rad]
-    ROLLING_RADIUS = 4  # [m]
-    NORMAL_FORCE = 5  # [N]
-    A = 6  # semi-axis in rolling direction, of the equivalent ellipse if the patch is made of strips [m]
-    B = 7  # lateral semi-axis [m]
-    P_MAX = 8  # largest pressure [Pa]
-    NU_X = 9  # longitudinal creepage [-]
-    NU_Y = 10  # lateral creepage [-]
-    PHI = 11  # spin creepage [1/m]
-    FRICTION = 12  # friction coefficient [-]
-    FORCE_X = 13  # [N]
-    FORCE_Y = 14  # [N]
-    MOMENT_Z = 15  # [N m]
-    APPROACH = 16  # elastic approach along the normal [m]
-    POWER = 17  # power lost in the contact, creep and contact damping, > 0 is dissipation [W]
-    FLOORED = 18  # 1 where the lateral curvature met its floor (conformal contact), else 0
+    point: Triple  # from the wheelset's centre [m]
+    along: Triple  # unit vectors: x of C
+    across: Triple  # y of C
+    normal: Triple  # z of C, from the rail into the wheel
 
 
-PATCH_COLUMNS = len(Patch)
+class SlipVelocity(NamedTuple):
+    """Velocity of the wheel's material at the contact point relative to the rail's, in C."""
+
+    along: float  # with the lag of the creepage [m/s]
+    across: float  # likewise [m/s]
+    approach: float  # of the wheel to the rail along the normal [m/s]
+    spin: float  # angular velocity about the normal [rad/s]
+
+
+class NormalContact(NamedTuple):
+    """Normal force of a patch and further results of the normal theory."""
+
+    elastic: float  # normal force without contact damping [N]
+    max_pressure: float  # under the whole normal force [Pa]
+    floored: bool  # whether the lateral curvature met its floor (conformal contact)
+
+
 MAX_PATCHES = 3  # patches of one wheel at once

@@ -23,15 +23,11 @@ from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, find_
 from hh_exudyn.contact.geometry.silhouette import wheel_rail_pair
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.normal.neighbours import find_patches
-from hh_exudyn.contact.normal.non_elliptic import (
-    HERTZ,
-    NORMAL_THEORIES,
-    check_combination,
-)
+from hh_exudyn.contact.normal.registry import HERTZ, NORMAL_THEORIES, check_combination
 from hh_exudyn.contact.patch_forces import add_patch
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.profiles.spline import spline_table
-from hh_exudyn.contact.tangential.api import THEORIES
+from hh_exudyn.contact.tangential.registry import THEORIES
 from hh_exudyn.contact.tangential.strips import STRIP_COLUMNS
 from hh_exudyn.contact.types import ContactForces, GivenCreep, RailMotion, WheelRailModel, WheelsetMotion
 from hh_exudyn.conventions import BACK_TO_BACK, FLANGE_BACK_TO_RUNNING_CIRCLE
@@ -55,12 +51,14 @@ def wheel_rail_model(
 ) -> WheelRailModel:
     """Everything about the contact that does not change during a run.
 
+    Twelve arguments: four profiles, and by keyword the independent numbers and names of a case.
+
     Parameters
     ----------
     wheel_left, wheel_right : Profile
         Wheels.
     rail_left, rail_right : Profile or RailCourse
-        The rails include their inclination; one profile all along, or what lies where.
+        The rails include their inclination; one profile all along, or a course of profiles.
     nominal_radius : float
         Wheel radius at the running circle [m], 0.2 .. 1.
     back_to_back : float
@@ -70,13 +68,13 @@ def wheel_rail_model(
     damping : float
         d of the normal force N (1 + d * approach rate) [s/m], 0 .. 100.
     normal : str
-        One of `non_elliptic.NORMAL_THEORIES`.
+        One of `normal.registry.NORMAL_THEORIES`.
     theory : str
         One of `tangential.THEORIES`; ``"fastrip"`` where the patches are not elliptic.
     cells : tuple of int
         Cells of the tangential solve along and across the patch, 3 .. 200 each.
     smoothing : float
-        Length over which the profiles' curvature is blurred (see `profile_spline.spline_table`) [m].
+        Length over which the profiles' curvature is blurred (see `spline.spline_table`) [m].
 
     Raises
     ------
@@ -84,27 +82,8 @@ def wheel_rail_model(
         A profile of the wrong kind, an unknown theory, a tangential theory that cannot take the patches of
         the normal one, or a number out of its range.
     """
-    for label, profile, kind in (
-        ("wheel_left", wheel_left, "wheel"),
-        ("wheel_right", wheel_right, "wheel"),
-        ("rail_left", rail_left, "rail"),
-        ("rail_right", rail_right, "rail"),
-    ):
-        if isinstance(profile, Profile) and profile.kind != kind:
-            raise ValueError(
-                f"{label}: profile {profile.name!r} is of kind {profile.kind!r}, needed: {kind!r}"
-            )
-    if len(cells) != 2 or any(int(count) != count for count in cells if math.isfinite(count)):
-        raise ValueError(f"cells = {cells}, allowed two whole numbers, 3 .. 200 each")
-    for label, value, low, high, unit in (
-        ("nominal_radius", nominal_radius, 0.2, 1.0, "m"),
-        ("back_to_back", back_to_back, 0.5, 2.0, "m"),
-        ("damping", damping, 0.0, 100.0, "s/m"),
-        ("cells[0]", cells[0], 3, 200, "-"),
-        ("cells[1]", cells[1], 3, 200, "-"),
-    ):
-        if not low <= value <= high:
-            raise ValueError(f"{label} = {value} {unit}, allowed {low} .. {high} {unit}")
+    _check_profiles(wheel_left, wheel_right, rail_left, rail_right)
+    _check_numbers(nominal_radius, back_to_back, damping, cells)
     if theory not in THEORIES:
         raise ValueError(f"unknown theory {theory!r}; known: {', '.join(THEORIES)}")
     if normal not in NORMAL_THEORIES:
@@ -126,6 +105,42 @@ def wheel_rail_model(
         cells_y=int(cells[1]),
         given=GivenCreep(0.0, 0.0, 0.0),
     )
+
+
+def _check_profiles(
+    wheel_left: Profile,
+    wheel_right: Profile,
+    rail_left: Profile | RailCourse,
+    rail_right: Profile | RailCourse,
+) -> None:
+    """ValueError for a profile of the wrong kind."""
+    for label, profile, kind in (
+        ("wheel_left", wheel_left, "wheel"),
+        ("wheel_right", wheel_right, "wheel"),
+        ("rail_left", rail_left, "rail"),
+        ("rail_right", rail_right, "rail"),
+    ):
+        if isinstance(profile, Profile) and profile.kind != kind:
+            raise ValueError(
+                f"{label}: profile {profile.name!r} is of kind {profile.kind!r}, needed: {kind!r}"
+            )
+
+
+def _check_numbers(
+    nominal_radius: float, back_to_back: float, damping: float, cells: tuple[int, int]
+) -> None:
+    """ValueError for a number out of its range."""
+    if len(cells) != 2 or any(int(count) != count for count in cells if math.isfinite(count)):
+        raise ValueError(f"cells = {cells}, allowed two whole numbers, 3 .. 200 each")
+    for label, value, low, high, unit in (
+        ("nominal_radius", nominal_radius, 0.2, 1.0, "m"),
+        ("back_to_back", back_to_back, 0.5, 2.0, "m"),
+        ("damping", damping, 0.0, 100.0, "s/m"),
+        ("cells[0]", cells[0], 3, 200, "-"),
+        ("cells[1]", cells[1], 3, 200, "-"),
+    ):
+        if not low <= value <= high:
+            raise ValueError(f"{label} = {value} {unit}, allowed {low} .. {high} {unit}")
 
 
 def _course(rail: Profile | RailCourse) -> RailCourse:
@@ -158,7 +173,7 @@ def wheel_rail_forces(
     Returns
     -------
     int
-        0, or 1 + 2 * wheelset + side index of the first wheel whose state or force is not finite.
+        0, or 1 + 2 * wheelset + side index of the first wheel with a state or force that is not finite.
     """
     contacts = np.empty((MAX_MINIMA, CONTACT_COLUMNS))
     strips = np.empty((0 if model.normal == HERTZ else model.cells_y, STRIP_COLUMNS))
@@ -186,10 +201,9 @@ def wheel_rail_forces(
                 )
             present = 0
             for k in range(count):
-                if add_patch(
-                    model, pair, along, contacts[k], strips, wheelsets, rails, friction, i, forces, present
-                ):
-                    present += 1
+                present += add_patch(
+                    model, pair, contacts[k], strips, wheelsets, rails, friction, i, forces, present
+                )
             wrench = forces.wrench[i]
             if not math.isfinite(wrench[0] + wrench[1] + wrench[2] + wrench[4]):
                 return 1 + 2 * i + s

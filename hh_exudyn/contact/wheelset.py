@@ -17,16 +17,14 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import brentq
 
-from hh_exudyn.contact.contact_state import ContactState, contact_state
 from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.geometry.rail_tables import gauge_point_at
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.profile import Profile
+from hh_exudyn.contact.state import PATCH_COLUMNS, ContactState, Patch, contact_state
 from hh_exudyn.contact.types import (
     MAX_PATCHES,
-    PATCH_COLUMNS,
     ContactForces,
-    Patch,
     RailMotion,
     RailTables,
     WheelRailModel,
@@ -79,7 +77,7 @@ class WheelsetOnRails:
 
 @dataclass(frozen=True)
 class _Pose:
-    """What is given of a wheelset, checked."""
+    """The given part of a wheelset's pose and motion, checked."""
 
     lateral: float
     yaw: float
@@ -111,6 +109,8 @@ def wheel_on_rail(
 ) -> WheelOnRail:
     """The height at which one wheel, in a given pose of its wheelset, carries a vertical load.
 
+    Seventeen arguments: the inputs of the Manchester benchmark one by one, by keyword.
+
     Parameters
     ----------
     wheel, rail : Profile
@@ -136,7 +136,7 @@ def wheel_on_rail(
     friction : float
         [-], 0 .. 1.
     normal, theory : str
-        Names of `non_elliptic.NORMAL_THEORIES` and `tangential.THEORIES`.
+        Names of `normal.registry.NORMAL_THEORIES` and `tangential.THEORIES`.
     material : Material
         Of wheel and rail.
     cells : tuple of int
@@ -158,17 +158,10 @@ def wheel_on_rail(
     _check("roll", roll, -0.1, 0.1, "rad")
     _check("load", load, 1.0, 1e6, "N")
     model = wheel_rail_model(
-        wheel,
-        wheel,
-        rail,
-        rail,
-        nominal_radius=radius,
-        back_to_back=back_to_back,
-        material=material,
-        normal=normal,
-        theory=theory,
-        cells=cells,
-    )
+        wheel, wheel, rail, rail,
+        nominal_radius=radius, back_to_back=back_to_back,
+        material=material, normal=normal, theory=theory, cells=cells,
+    )  # fmt: skip
     return _wheel_at_rest(model, side, pose, float(roll), float(load))
 
 
@@ -193,6 +186,8 @@ def wheelset_equilibrium(
     cells: tuple[int, int] = (30, 30),
 ) -> WheelsetOnRails:
     """The height and the roll at which both wheels of a wheelset carry their loads.
+
+    Seventeen arguments: those of `wheel_on_rail` but for side and roll, and the profiles of two wheels.
 
     Parameters
     ----------
@@ -336,11 +331,12 @@ def _solve(
             row,
             side=side,
             speed=pose.speed,
-            vertical=vertical,
-            outwards=outwards,
-            yaw=pose.yaw,
+            Q=vertical,
+            Y=outwards,
+            angle_of_attack=pose.yaw,
+            y_wheelset=pose.lateral,
             roll=roll,
-            lateral=pose.lateral,
+            s=0.0,
         )
         for row in forces.patches[0, index]
         if row[Patch.NORMAL_FORCE] > 0.0

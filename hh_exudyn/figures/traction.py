@@ -22,7 +22,7 @@ def control_figure(title: str, control: Mapping[str, FloatArray]) -> Figure:
     title : str
         Above all panels.
     control : mapping of (n,) arrays
-        The columns of the control log (`hh_exudyn.log.schema`), rows in order of time, then wheelset.
+        The columns of the control log (`hh_exudyn.log.channels`), rows in order of time, then wheelset.
 
     Raises
     ------

@@ -1,6 +1,11 @@
-"""Logs of a run as files on disk: what damage and playback live on.
+"""Logs of a run as files on disk, read by damage, assessment and playback.
 
-`schema` names the columns, `store` writes parts and reads a run back. A part is renamed into place when it
-is whole, so a run that was killed leaves all its finished parts readable. `wheel_forces` gives Q and Y of
-every wheel over time.
+==============  ======================================================================================
+`channels`      the one table of all columns: name, source, unit, meaning
+`recorder`      rows in numpy, written to disk in parts
+`store`         a run on disk, and reading it back
+`wheel_forces`  Q and Y of every wheel over time
+==============  ======================================================================================
+
+A part is renamed into place when it is whole, so that a killed run leaves all its finished parts readable.
 """

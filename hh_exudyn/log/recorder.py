@@ -14,7 +14,7 @@ import pyarrow
 import pyarrow.parquet
 from numpy.typing import NDArray
 
-from hh_exudyn.log.schema import LOGS, Column
+from hh_exudyn.log.channels import LOGS, Column
 
 PART_PATTERN = "part-*.parquet"  # finished parts; temporary files end differently and are never read
 TEMPORARY_SUFFIX = ".tmp"
@@ -121,7 +121,7 @@ class Recorder:
         self._buffers: dict[str, _Buffer] = {}
 
     def append_rows(self, log: str, rows: NDArray[np.float64]) -> None:
-        """Append rows whose columns are those of the schema, in its order: the fast path.
+        """Append rows whose columns are those of the log's channels, in their order: the fast path.
 
         Parameters
         ----------
@@ -152,7 +152,7 @@ class Recorder:
                 self._write(log, buffer)
 
     def append(self, log: str, columns: Mapping[str, Any]) -> None:
-        """Append columns of equal length by name; all columns of the schema must be there.
+        """Append columns of equal length by name; all columns of the log must be there.
 
         Parameters
         ----------

@@ -3,7 +3,7 @@
     directory/case.toml                  the case that was run
     directory/vehicle.json               the vehicle that ran, whole (`vehicles.stored`)
     directory/status.json                how the run ended
-    directory/<log>/part-00000.parquet   rows of one of the logs of `schema`, in order of time
+    directory/<log>/part-00000.parquet   rows of one of the logs of `channels`, in order of time
 
 A part appears under its name only when it is whole, so a run that was killed leaves all its finished parts
 readable; temporary files are ignored. `Recorder` writes the logs; it is passed on from here.
@@ -20,8 +20,8 @@ from typing import Any
 import pyarrow
 import pyarrow.parquet
 
+from hh_exudyn.log.channels import LOGS
 from hh_exudyn.log.recorder import PART_PATTERN, TEMPORARY_SUFFIX, Recorder, check_log_name
-from hh_exudyn.log.schema import LOGS
 
 __all__ = ["Recorder", "Run", "open_run", "remove_logs", "write_case", "write_status", "write_vehicle"]
 
@@ -63,7 +63,7 @@ class Run:
 
     @property
     def vehicle_text(self) -> str | None:
-        """The vehicle that ran (JSON); None in runs of versions that did not keep it."""
+        """The vehicle that ran (JSON); None in runs of versions that did not store it."""
         path = self.directory / VEHICLE_FILE
         return path.read_text(encoding="utf-8") if path.is_file() else None
 

@@ -11,9 +11,9 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case import Case
-from hh_exudyn.contact.types import Patch
+from hh_exudyn.contact.state import Patch
+from hh_exudyn.log.channels import CONTROL
 from hh_exudyn.log.recorder import Recorder
-from hh_exudyn.log.schema import CONTROL
 from hh_exudyn.multibody.model import Ledger, SystemModel, Workspace
 from track.course.alignment import inclined_frame
 from track.course.types import AlignmentTable

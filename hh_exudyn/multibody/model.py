@@ -25,7 +25,8 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.friction import FrictionTable
-from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, WheelRailModel
+from hh_exudyn.contact.state import PATCH_COLUMNS
+from hh_exudyn.contact.types import MAX_PATCHES, WheelRailModel
 from hh_exudyn.kernel import inlined_kernel
 from track.course.alignment import AlignmentTable
 from track.irregularity.table import IrregularityTable

@@ -1,26 +1,46 @@
-"""Rows of the three logs, taken from the work space after an evaluation of an accepted state."""
+"""Rows of the contact, motion and energy logs, from the work space after an evaluation of an accepted state.
+
+Columns are written by name; those that the channel table (`hh_exudyn.log.channels`) copies from the record of
+a patch or from the ledger follow from the table.
+"""
 
 import math
+from enum import IntEnum
 
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray, IntArray
-from hh_exudyn.contact.types import MAX_PATCHES, Patch
+from hh_exudyn.contact.state import Patch
+from hh_exudyn.contact.types import MAX_PATCHES
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.kernel import Bundle, kernel
+from hh_exudyn.log.channels import (
+    CONTACT,
+    ENERGY,
+    LEDGER,
+    MOTION,
+    PATCH,
+    Column,
+    ContactColumn,
+    EnergyColumn,
+    MotionColumn,
+)
 from hh_exudyn.log.recorder import Recorder
-from hh_exudyn.log.schema import CONTACT, ENERGY, MOTION
-from hh_exudyn.multibody.model import BODY_COORDINATES, SystemModel, Workspace
+from hh_exudyn.multibody.model import BODY_COORDINATES, Ledger, SystemModel, Workspace
 from hh_exudyn.multibody.system import energies
 from hh_exudyn.multibody.vectors import rotate_back, triple
 from track.course.alignment import inclined_locate
 from vehicles.description import Vehicle
 
-_FIRST_COPIED = int(Patch.Y_WHEEL)  # columns of a contact state that the log takes over in one piece,
-_LAST_COPIED = int(Patch.FRICTION)  # up to this one, followed by the speed and the creep forces
-_NORMAL_FORCE = int(Patch.NORMAL_FORCE)
-_FORCE_X = int(Patch.FORCE_X)
-_APPROACH = int(Patch.APPROACH)
+
+def _copies(columns: tuple[Column, ...], source: str, members: type[IntEnum]) -> IntArray:
+    """Where the columns of a source lie in their log and in their source, (n, 2)."""
+    pairs = [(k, members[c.name.upper()]) for k, c in enumerate(columns) if c.source == source]
+    return np.array(pairs, dtype=np.int64)
+
+
+_OF_PATCH = _copies(CONTACT, PATCH, Patch)
+_OF_LEDGER = _copies(ENERGY, LEDGER, Ledger)
 
 
 class LogWriter:
@@ -39,8 +59,8 @@ class LogWriter:
         """Append one output time; the work space must hold the evaluation of this state."""
         count = _rows(self._bundle, self._places, v, time, self._contact, self._motion, self._energy[0])
         if math.isnan(self._potential_at_start):
-            self._potential_at_start = float(self._energy[0, -1])
-        self._energy[0, -1] -= self._potential_at_start
+            self._potential_at_start = float(self._energy[0, EnergyColumn.potential_energy])
+        self._energy[0, EnergyColumn.potential_energy] -= self._potential_at_start
         self.recorder.append_rows("contact", self._contact[:count])
         self.recorder.append_rows("motion", self._motion)
         self.recorder.append_rows("energy", self._energy)
@@ -80,12 +100,12 @@ def _energy_row(model: SystemModel, work: Workspace, v: FloatArray, time: float,
     """Fill the row of the energy log, its potential energy from the height of the global frame."""
     kinetic, potential = energies(model, work, v)
     place = work.position[model.train.bodies[0]]
-    row[0] = time
-    row[1] = inclined_locate(model.alignment, place[0], place[1], place[2], work.arc_length[-1])
-    for k in range(work.ledger.size):
-        row[2 + k] = work.ledger[k]
-    row[-2] = kinetic
-    row[-1] = potential
+    row[EnergyColumn.time] = time
+    row[EnergyColumn.s] = inclined_locate(model.alignment, place[0], place[1], place[2], work.arc_length[-1])
+    for k in range(_OF_LEDGER.shape[0]):
+        row[_OF_LEDGER[k, 0]] = work.ledger[_OF_LEDGER[k, 1]]
+    row[EnergyColumn.kinetic_energy] = kinetic
+    row[EnergyColumn.potential_energy] = potential
 
 
 @kernel
@@ -102,30 +122,25 @@ def _contact_rows(work: Workspace, places: IntArray, time: float, rows: FloatArr
             roll = math.asin(against[2])
             for number in range(work.patches.shape[2]):
                 patch = work.patches[w, index, number]
-                if patch[_NORMAL_FORCE] <= 0.0:
+                if patch[Patch.NORMAL_FORCE] <= 0.0:
                     continue
                 row = rows[count]
-                row[0] = time
-                row[1] = work.arc_length[w]
-                row[2] = places[w, 0]
-                row[3] = places[w, 1]
-                row[4] = places[w, 2]
-                row[5] = side
-                row[6] = number
-                k = 7
-                for column in range(_FIRST_COPIED, _LAST_COPIED + 1):
-                    row[k] = patch[column]
-                    k += 1
-                row[k] = work.frame_velocity[w, 0]
-                for column in range(3):
-                    row[k + 1 + column] = patch[_FORCE_X + column]
-                row[k + 4] = -work.rail_force[w, index, 1]
-                row[k + 5] = work.rail_force[w, index, 0] * side
-                row[k + 6] = angle_of_attack
-                row[k + 7] = work.frame_position[w, 1]
-                row[k + 8] = patch[_APPROACH]
-                row[k + 9] = roll
-                row[k + 10] = yaw
+                row[ContactColumn.time] = time
+                row[ContactColumn.s] = work.arc_length[w]
+                row[ContactColumn.vehicle] = places[w, 0]
+                row[ContactColumn.bogie] = places[w, 1]
+                row[ContactColumn.wheelset] = places[w, 2]
+                row[ContactColumn.side] = side
+                row[ContactColumn.patch] = number
+                row[ContactColumn.speed] = work.frame_velocity[w, 0]
+                row[ContactColumn.Q] = -work.rail_force[w, index, 1]
+                row[ContactColumn.Y] = work.rail_force[w, index, 0] * side
+                row[ContactColumn.angle_of_attack] = angle_of_attack
+                row[ContactColumn.y_wheelset] = work.frame_position[w, 1]
+                row[ContactColumn.roll] = roll
+                row[ContactColumn.yaw] = yaw
+                for k in range(_OF_PATCH.shape[0]):
+                    row[_OF_PATCH[k, 0]] = patch[_OF_PATCH[k, 1]]
                 count += 1
     return count
 
@@ -133,17 +148,32 @@ def _contact_rows(work: Workspace, places: IntArray, time: float, rows: FloatArr
 @kernel
 def _motion_rows(model: SystemModel, work: Workspace, v: FloatArray, time: float, rows: FloatArray) -> None:
     """Fill one row per body of the motion log."""
+    quaternion = np.empty(4)
     for i in range(model.mass.size):
         row = rows[i]
-        row[0] = time
-        row[1] = i
         place = work.position[i]
-        row[2] = inclined_locate(model.alignment, place[0], place[1], place[2], work.arc_length[0])
-        for axis in range(3):
-            row[3 + axis] = work.position[i, axis]
-            row[10 + axis] = v[BODY_COORDINATES * i + axis]
-            row[13 + axis] = v[BODY_COORDINATES * i + 3 + axis]
-        _quaternion(work.rotation[i], row[6:10])
+        velocity = v[BODY_COORDINATES * i : BODY_COORDINATES * (i + 1)]
+        row[MotionColumn.time] = time
+        row[MotionColumn.body] = i
+        row[MotionColumn.s] = inclined_locate(
+            model.alignment, place[0], place[1], place[2], work.arc_length[0]
+        )
+        row[MotionColumn.x], row[MotionColumn.y], row[MotionColumn.z] = place[0], place[1], place[2]
+        _quaternion(work.rotation[i], quaternion)
+        row[MotionColumn.qw] = quaternion[0]
+        row[MotionColumn.qx] = quaternion[1]
+        row[MotionColumn.qy] = quaternion[2]
+        row[MotionColumn.qz] = quaternion[3]
+        row[MotionColumn.vx], row[MotionColumn.vy], row[MotionColumn.vz] = (
+            velocity[0],
+            velocity[1],
+            velocity[2],
+        )
+        row[MotionColumn.wx], row[MotionColumn.wy], row[MotionColumn.wz] = (
+            velocity[3],
+            velocity[4],
+            velocity[5],
+        )
 
 
 @kernel

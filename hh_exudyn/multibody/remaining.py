@@ -3,7 +3,7 @@
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.types import Patch
+from hh_exudyn.contact.state import Patch
 from hh_exudyn.kernel import Bundle
 from hh_exudyn.multibody.model import (
     BODY_COORDINATES,

@@ -4,7 +4,8 @@ import math
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.rail_tables import gauge_point_at
-from hh_exudyn.contact.types import ContactForces, Patch, RailMotion, WheelsetMotion
+from hh_exudyn.contact.state import Patch
+from hh_exudyn.contact.types import ContactForces, RailMotion, WheelsetMotion
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces
 from hh_exudyn.kernel import Bundle, inlined_kernel, kernel
 from hh_exudyn.multibody.brakes import brake_forces

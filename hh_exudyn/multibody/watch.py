@@ -7,7 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.types import Patch, SplineTable
+from hh_exudyn.contact.state import Patch
+from hh_exudyn.contact.types import SplineTable
 from hh_exudyn.kernel import Bundle, kernel
 from hh_exudyn.multibody.model import SystemModel, Workspace
 

@@ -18,8 +18,8 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.normal.hertz import normal_contact
 from hh_exudyn.contact.tangential import fastrip
 from hh_exudyn.contact.tangential.kalker import coefficients
+from hh_exudyn.contact.tangential.registry import FASTRIP, FASTSIM, field_kernel, force_kernel
 from hh_exudyn.contact.tangential.strips import HALF_LENGTH, PRESSURE, STRIP_COLUMNS, WIDTH, Y
-from hh_exudyn.contact.tangential.theories import FASTRIP, FASTSIM, field_kernel, force_kernel
 from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import inlined_kernel, kernel
 

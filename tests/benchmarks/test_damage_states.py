@@ -14,10 +14,10 @@ from damage.material import ER7
 from damage.model import DamageModel
 from damage.rcf.burstow import Burstow
 from damage.surface.accumulate import accumulate, usable_processors
-from hh_exudyn.contact.tangential.theories import FASTRIP, field_kernel
+from hh_exudyn.contact.tangential.registry import FASTRIP, field_kernel
 from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
-from hh_exudyn.log.schema import CONTACT
+from hh_exudyn.log.channels import CONTACT
 
 WHEELS = 8
 

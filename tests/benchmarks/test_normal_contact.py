@@ -7,9 +7,10 @@ import pytest
 from straight_rails import no_forces, straight_rails
 
 from hh_exudyn.contact.friction import constant_friction
-from hh_exudyn.contact.normal.non_elliptic import NORMAL_THEORIES
+from hh_exudyn.contact.normal.registry import NORMAL_THEORIES
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
-from hh_exudyn.contact.types import Patch, WheelsetMotion
+from hh_exudyn.contact.state import Patch
+from hh_exudyn.contact.types import WheelsetMotion
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 
 

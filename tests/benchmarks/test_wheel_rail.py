@@ -18,11 +18,11 @@ from hh_exudyn.contact.geometry.rail_tables import rail_at
 from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
 from hh_exudyn.contact.geometry.silhouette import wheel_rail_pair
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
-from hh_exudyn.contact.tangential.theories import FASTRIP, force_kernel
+from hh_exudyn.contact.state import Patch
+from hh_exudyn.contact.tangential.registry import FASTRIP, force_kernel
 from hh_exudyn.contact.types import (
     MAX_PATCHES,
     ContactForces,
-    Patch,
     RailMotion,
     RollingPatch,
     SplineTable,

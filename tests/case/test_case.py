@@ -131,7 +131,10 @@ FAULTS: dict[str, tuple[dict[str, Any], list[str]]] = {  # change: parts of the 
         {"contact": {"normal": "analyn", "theory": "fastsim"}},
         ["contact", "theory = 'fastsim'", "'fastrip'"],
     ),
-    "theory": ({"contact": {"theory": "fastrap"}}, ["contact.theory", "fastrip, fastsim", '"fastrip"?']),
+    "theory": (
+        {"contact": {"theory": "fastrap"}},
+        ["contact.theory", "_elliptic, fastrip", '"fastrip"?'],
+    ),
     "rail": ({"track": {"rail": "61E1"}}, ["track.rail", "61E1", "60E1"]),
     "rail file": ({"track": {"rail": "no/such.txt"}}, ["track.rail", "no/such.txt", "not found"]),
     "left rail": ({"track": {"rail_left": "61E1"}}, ["track.rail_left", "61E1", "60E1"]),

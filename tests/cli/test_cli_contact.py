@@ -11,7 +11,7 @@ from hh_exudyn.cli.app import app
 from hh_exudyn.contact.geometry.functions import equivalent_conicity, rolling_radius_difference
 from hh_exudyn.contact.profile import Profile, rail_profile, read_rail_profile, wheel_profile
 from hh_exudyn.contact.tangential.api import creep_force
-from hh_exudyn.contact.tangential.theories import THEORIES
+from hh_exudyn.contact.tangential.registry import THEORIES
 from hh_exudyn.contact.tangential.validation import contact_table, to_table
 
 PATCH = ("patch", "--a-mm", "6", "--b-mm", "4", "--load-kn", "100")

@@ -8,7 +8,8 @@ from straight_rails import no_forces, straight_rails
 
 from hh_exudyn.contact.friction import FrictionTable, constant_friction, friction_at
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
-from hh_exudyn.contact.types import Patch, WheelRailModel, WheelsetMotion
+from hh_exudyn.contact.state import Patch
+from hh_exudyn.contact.types import WheelRailModel, WheelsetMotion
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 from track.friction import Falling, Friction, FrictionSection, Zones
 

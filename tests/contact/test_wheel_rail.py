@@ -14,11 +14,11 @@ from straight_rails import no_forces, straight_rails
 from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.geometry.rail_tables import rail_at
 from hh_exudyn.contact.material import STEEL
-from hh_exudyn.contact.normal.hertz import hertz_patch
-from hh_exudyn.contact.normal.non_elliptic import CURVATURE_FLOOR
+from hh_exudyn.contact.normal.hertz import CURVATURE_FLOOR, hertz_patch
 from hh_exudyn.contact.profile import Profile, rail_profile, wheel_profile
 from hh_exudyn.contact.profiles.spline import spline_evaluate
-from hh_exudyn.contact.types import Patch, WheelRailModel, WheelsetMotion
+from hh_exudyn.contact.state import Patch
+from hh_exudyn.contact.types import WheelRailModel, WheelsetMotion
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 
 REFERENCE = Path(__file__).parents[1] / "reference" / "wheel_rail_mbench_a22.csv"

@@ -23,9 +23,9 @@ import numpy as np
 import pytest
 from manchester_rail import manchester_rail
 
-from hh_exudyn.contact.contact_state import ContactState
 from hh_exudyn.contact.patch_shape import patch_shape, traction_on_shape
 from hh_exudyn.contact.profile import Profile, rail_profile, wheel_profile
+from hh_exudyn.contact.state import ContactState
 from hh_exudyn.contact.wheel_rail import wheel_rail_model
 from hh_exudyn.contact.wheelset import WheelOnRail, wheel_on_rail, wheelset_equilibrium
 from hh_exudyn.conventions import LEFT, RIGHT

@@ -9,7 +9,7 @@ import pytest
 
 from hh_exudyn.contact.normal.hertz import hertz_patch
 from hh_exudyn.contact.tangential.api import creep_force
-from hh_exudyn.log.schema import LOGS
+from hh_exudyn.log.channels import LOGS
 
 
 @pytest.fixture(scope="session")

@@ -9,7 +9,7 @@ import pyarrow.parquet
 import pytest
 
 from damage.summary import steady_window, wheelset_summary
-from hh_exudyn.log.schema import CONTACT
+from hh_exudyn.log.channels import CONTACT
 from hh_exudyn.log.store import Run
 
 

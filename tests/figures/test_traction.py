@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from hh_exudyn.figures.traction import control_figure, effort_figure, steering_figure
-from hh_exudyn.log.schema import CONTROL
+from hh_exudyn.log.channels import CONTROL
 
 
 def control_log(samples=5, axles=6):

@@ -10,7 +10,7 @@ import numpy as np
 import pyarrow
 import pytest
 
-from hh_exudyn.log.schema import LOGS
+from hh_exudyn.log.channels import LOGS
 from hh_exudyn.log.store import Recorder, Run, open_run, write_case, write_status
 
 CASE = 'name = "straight"\nspeed_km_h = 60.0\n'

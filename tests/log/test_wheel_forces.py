@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hh_exudyn.log.schema import LOGS
+from hh_exudyn.log.channels import LOGS
 from hh_exudyn.log.store import Recorder, Run, open_run
 from hh_exudyn.log.wheel_forces import WheelForces, wheel_forces
 

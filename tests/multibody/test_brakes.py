@@ -5,7 +5,7 @@ import pytest
 from run_tables import table
 
 from hh_exudyn.case import Case, CaseError
-from hh_exudyn.contact.types import Patch
+from hh_exudyn.contact.state import Patch
 from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.equilibrium import equilibrium
 from hh_exudyn.multibody.model import Ledger, SystemModel, Workspace, workspace

@@ -10,10 +10,10 @@ from free_wheelset import conical_wheel, free_wheelset
 from run_tables import table
 
 from hh_exudyn.case import Case
-from hh_exudyn.contact.contact_state import from_log_row
 from hh_exudyn.contact.patch_shape import patch_shape
 from hh_exudyn.contact.profile import rail_profile
 from hh_exudyn.contact.profiles.spline import spline_evaluate, spline_table
+from hh_exudyn.contact.state import from_log_row
 from hh_exudyn.contact.types import SplineTable
 from hh_exudyn.log.store import Run
 from hh_exudyn.multibody.simulate import simulate

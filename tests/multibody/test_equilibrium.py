@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from hh_exudyn.contact.types import Patch
+from hh_exudyn.contact.state import Patch
 from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.control import vehicle_control

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from hh_exudyn.case import Case
-from hh_exudyn.contact.contact_state import from_log_row
 from hh_exudyn.contact.patch_shape import patch_shape, traction_on_shape
+from hh_exudyn.contact.state import from_log_row
 from hh_exudyn.log.store import open_run
 from hh_exudyn.multibody.simulate import simulate
 

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, Patch
+from hh_exudyn.contact.state import PATCH_COLUMNS, Patch
+from hh_exudyn.contact.types import MAX_PATCHES
 from hh_exudyn.conventions import GRAVITY
-from hh_exudyn.log.schema import LOGS
+from hh_exudyn.log.channels import LOGS
 from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.model import BODY_COORDINATES, TRACK_COORDINATES, Ledger, coordinates, workspace
 from hh_exudyn.multibody.recording import LogWriter

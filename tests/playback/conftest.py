@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from hh_exudyn.case import Case
 from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
-from hh_exudyn.log.schema import CONTACT, MOTION
+from hh_exudyn.log.channels import CONTACT, MOTION
 from hh_exudyn.playback.frames import track_frames
 from hh_exudyn.playback.run import Scene
 from hh_exudyn.playback.shapes.dimensions import WagonDimensions

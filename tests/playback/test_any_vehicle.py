@@ -9,7 +9,7 @@ import trimesh
 
 from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
-from hh_exudyn.log.schema import CONTACT, MOTION
+from hh_exudyn.log.channels import CONTACT, MOTION
 from hh_exudyn.playback.layout import vehicle_view
 from hh_exudyn.playback.run import Scene, leading_body, record_tables
 from hh_exudyn.playback.shapes.vehicle import vehicle_shapes

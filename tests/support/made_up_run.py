@@ -7,7 +7,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from hh_exudyn.case import Case
-from hh_exudyn.log.schema import LOGS
+from hh_exudyn.log.channels import LOGS
 from hh_exudyn.log.store import Recorder, Run, open_run, write_case
 from vehicles.catalogue import vehicle
 

@@ -3,7 +3,8 @@
 import numpy as np
 
 from hh_exudyn.contact.geometry.rail_tables import gauge_point_at
-from hh_exudyn.contact.types import MAX_PATCHES, PATCH_COLUMNS, ContactForces, RailMotion, WheelRailModel
+from hh_exudyn.contact.state import PATCH_COLUMNS
+from hh_exudyn.contact.types import MAX_PATCHES, ContactForces, RailMotion, WheelRailModel
 
 
 def straight_rails(

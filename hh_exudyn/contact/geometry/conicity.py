@@ -1,4 +1,4 @@
-"""Equivalent conicity after EN 15302: the free kinematic motion of a wheelset and what it says.
+"""Equivalent conicity after EN 15302: from the free kinematic motion of a wheelset.
 
 A wheelset that rolls without slip on straight track follows
 
@@ -6,7 +6,7 @@ A wheelset that rolls without slip on straight track follows
 
 along the track (EN 15302, E: Klingel 1883 for cones): e is the tape distance, the lateral distance of the
 nominal running circles, r0 the mean nominal radius. The equivalent conicity for an amplitude is that of the
-cones whose waves have the same length L,
+cones with waves of the same length L,
 
     tan gamma_e = 2 e r0 (pi / L)^2                                                                  (2)
 

@@ -2,7 +2,7 @@
 
 The wheels neither sink into the rails nor lift off. For a wheel these are the functions that GENSYS's KPF
 tabulates (contact positions on wheel and rail, rolling radius, contact angle, wheel lift, lateral
-curvatures); for a wheelset also the roll that keeps both wheels on the rails.
+curvatures); for a wheelset also the roll at which both wheels touch.
 
 The displacement is that of the wheelset to the left, y of the track frame.
 """
@@ -21,6 +21,7 @@ from hh_exudyn.contact.geometry.rigid import (
     WHEEL_CURVATURE,
     Y_RAIL,
     Y_WHEEL,
+    StandingWheel,
     wheel_contacts,
     wheelset_rolls,
 )
@@ -128,6 +129,8 @@ def contact_functions(
 ) -> ContactFunctions:
     """Contact geometry functions of one wheel on its rail, the roll of the wheelset given.
 
+    Nine arguments: two profiles, and by keyword the lengths and angles that callers vary one by one.
+
     Parameters
     ----------
     wheel, rail : Profile
@@ -145,7 +148,7 @@ def contact_functions(
     roll : FloatArray or float
         (n,) or one for all [rad], -0.1 .. 0.1.
     smoothing : float
-        Length over which the profiles' curvature is blurred (`profile_spline.spline_table`) [m].
+        Length over which the profiles' curvature is blurred (`spline.spline_table`) [m].
 
     Raises
     ------
@@ -156,10 +159,14 @@ def contact_functions(
     if side not in (LEFT, RIGHT):
         raise ValueError(f"side = {side}, allowed {LEFT} (left) and {RIGHT} (right)")
     _check_lengths(gauge, tape_distance, radius)
-    wheel_table, rail_table = _tables(wheel, rail, smoothing)
-    rolls = _rolls(roll, displacements)
-    rail_y = side * (0.5 * gauge + gauge_point(rail))
-    return _one_side(wheel_table, rail_table, side, rail_y, tape_distance, radius, displacements, rolls)
+    standing = StandingWheel(
+        *_tables(wheel, rail, smoothing),
+        side=float(side),
+        distance=0.5 * tape_distance,
+        radius=radius,
+        rail_y=side * (0.5 * gauge + gauge_point(rail)),
+    )
+    return _one_side(standing, displacements, _rolls(roll, displacements))
 
 
 def wheelset_functions(
@@ -178,6 +185,8 @@ def wheelset_functions(
 ) -> WheelsetFunctions:
     """Contact geometry functions of a wheelset.
 
+    Eleven arguments: four profiles, and by keyword the lengths and angles that callers vary one by one.
+
     Parameters
     ----------
     wheel_left, rail_left, wheel_right, rail_right : Profile
@@ -193,7 +202,7 @@ def wheelset_functions(
     roll : FloatArray, float or None
         None: the roll at which both wheels touch. Otherwise given, (n,) or one for all [rad], -0.1 .. 0.1.
     smoothing : float
-        Length over which the profiles' curvature is blurred (`profile_spline.spline_table`) [m].
+        Length over which the profiles' curvature is blurred (`spline.spline_table`) [m].
 
     Raises
     ------
@@ -202,40 +211,39 @@ def wheelset_functions(
     """
     displacements = _displacements(lateral)
     _check_lengths(gauge, tape_distance, radius_left, radius_right)
-    left = _tables(wheel_left, rail_left, smoothing)
-    right = _tables(wheel_right, rail_right, smoothing)
-    rail_y_left = 0.5 * gauge + gauge_point(rail_left)
-    rail_y_right = -0.5 * gauge - gauge_point(rail_right)
+    half = 0.5 * tape_distance
+    left = StandingWheel(
+        *_tables(wheel_left, rail_left, smoothing),
+        side=1.0,
+        distance=half,
+        radius=radius_left,
+        rail_y=0.5 * gauge + gauge_point(rail_left),
+    )
+    right = StandingWheel(
+        *_tables(wheel_right, rail_right, smoothing),
+        side=-1.0,
+        distance=half,
+        radius=radius_right,
+        rail_y=-0.5 * gauge - gauge_point(rail_right),
+    )
     if roll is None:
         rolls = np.empty(len(displacements))
-        half = 0.5 * tape_distance
-        wheelset_rolls(
-            *left, *right, half, radius_left, radius_right, rail_y_left, rail_y_right, displacements, rolls
-        )
+        wheelset_rolls(left, right, displacements, rolls)
     else:
         rolls = _rolls(roll, displacements)
     return WheelsetFunctions(
         lateral=displacements,
         roll=rolls,
-        left=_one_side(*left, LEFT, rail_y_left, tape_distance, radius_left, displacements, rolls),
-        right=_one_side(*right, RIGHT, rail_y_right, tape_distance, radius_right, displacements, rolls),
+        left=_one_side(left, displacements, rolls),
+        right=_one_side(right, displacements, rolls),
     )
 
 
-def _one_side(
-    wheel: SplineTable,
-    rail: SplineTable,
-    side: int,
-    rail_y: float,
-    tape_distance: float,
-    radius: float,
-    lateral: FloatArray,
-    rolls: FloatArray,
-) -> ContactFunctions:
+def _one_side(standing: StandingWheel, lateral: FloatArray, rolls: FloatArray) -> ContactFunctions:
     rows = np.empty((len(lateral), COLUMNS))
-    wheel_contacts(wheel, rail, float(side), 0.5 * tape_distance, radius, rail_y, lateral, rolls, rows)
+    wheel_contacts(standing, lateral, rolls, rows)
     return ContactFunctions(
-        side=side,
+        side=int(standing.side),
         lateral=lateral,
         y_wheel=rows[:, Y_WHEEL],
         y_rail=rows[:, Y_RAIL],

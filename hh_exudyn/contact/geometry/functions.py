@@ -1,12 +1,12 @@
-"""Contact geometry functions, and what follows from them without any force: the front of the geometry.
+"""Contact geometry functions and equivalent conicity of EN 15302: geometry alone, no force.
 
 `contact_functions` and `wheelset_functions` (`contact_geometry`) tabulate how wheels touch rails;
 `rolling_radius_difference` and `equivalent_conicity` are EN 15302's; `conicity_from_radius_difference`
-(`conicity`) starts from a table. What they are worth on a track is in `steering`.
+(`conicity`) starts from a table. Figures of merit on a track are in `merit`.
 
 The displacement is that of the wheelset to the left, y of the track frame. The rolling radius difference is
 r_left - r_right, so that it is positive where a displacement to the left steers back to the right; EN 15302's
-tables have the same sign. EN 15302 leaves the roll out, and so do the functions after it unless told.
+tables have the same sign. EN 15302 leaves the roll out, and so do the functions after it by default.
 """
 
 import math
@@ -59,8 +59,8 @@ def rolling_radius_difference(
 ) -> FloatArray:
     """Rolling radius difference r_left - r_right over the lateral displacement [m], the EN 15302 function.
 
-    Positive at a positive displacement (to the left) steers back. Parameters and errors as
-    `wheelset_functions`; but the roll is 0 unless told, as in EN 15302's reference results.
+    Positive at a positive displacement (to the left) steers back. Arguments and errors as
+    `wheelset_functions`; but the default of the roll is 0, as in EN 15302's reference results.
     """
     return wheelset_functions(
         wheel_left,
@@ -93,6 +93,8 @@ def equivalent_conicity(
 ) -> FloatArray:
     """Equivalent conicity after EN 15302 at the given amplitudes [-].
 
+    Eleven arguments, for the reason of `wheelset_functions`.
+
     Parameters
     ----------
     amplitudes : FloatArray
@@ -103,9 +105,9 @@ def equivalent_conicity(
     Returns
     -------
     FloatArray
-        (m,) tan gamma_e; see `conicity.conicity_from_radius_difference` for what zero, negative values and
-        NaN mean. An amplitude beyond the flange clearance is answered too (the wheel climbs its flange,
-        the conicity rises steeply): `steering.flange_clearance` tells where that begins.
+        (m,) tan gamma_e; see `conicity.conicity_from_radius_difference` for the meaning of zero,
+        negative values and NaN. Beyond the flange clearance (`merit.flange_clearance`) the wheel climbs its
+        flange and the conicity rises steeply.
 
     Raises
     ------

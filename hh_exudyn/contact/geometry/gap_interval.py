@@ -1,4 +1,4 @@
-"""What is certain about the gap between two nodes of the wheel profile (kernels).
+"""Bounds of the gap between two nodes of the wheel profile (kernels).
 
 The gap's slope is S(y) - r'(u(y)): the slope of the silhouette less that of the rail, where the silhouette's
 point y lies above the rail's point u. Its derivative is f w'' - u' r'', with the second derivatives w'' and
@@ -91,7 +91,7 @@ def slope_rate_bounds(
 
 @inlined_kernel
 def never_zero(slope: float, next_slope: float, width: float, least: float, most: float) -> bool:
-    """Whether the gap's slope, of the same sign at both ends of an interval, keeps it in between.
+    """Whether the gap's slope, of the same sign at both ends of an interval, has it in between too.
 
     `least` and `most` bound its rate: from either end it can reach zero only at a distance.
     """
@@ -131,13 +131,13 @@ def gap_slope_zero(
 ) -> tuple[float, float, float, float, float]:
     """Where the gap's slope is zero between `low` and `high`, from slopes and their rates there.
 
-    Newton's method, kept inside the bracket by bisection. It starts where the cubic through the ends, y as a
+    Newton's method, inside the bracket by bisection. It starts where the cubic through the ends, y as a
     function of the slope, is at zero: within a table's interval that is good to a micrometre.
 
     Returns
     -------
     y_wheel, gap, y_rail, rail_slope, rail_second : float
-        The place and what `silhouette.gap_at` says there.
+        The place and the results of `silhouette.gap_at` there.
     """
     rising = at_high >= 0.0
     change = at_high - at_low

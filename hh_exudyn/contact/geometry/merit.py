@@ -1,4 +1,4 @@
-"""What a pair of profiles is worth on a track: flange clearance, conicity, steering in curves, gauge.
+"""Figures of merit of a profile pair on a track: flange clearance, conicity, steering in curves, gauge.
 
 All of it follows from the rolling radius difference of `functions`, without roll as in EN 15302.
 """
@@ -103,9 +103,10 @@ def gauge_sensitivity(
     tape_distance: float = TAPE_DISTANCE,
     smoothing: float = SMOOTHING,
 ) -> FloatArray:
-    """Equivalent conicity at one amplitude over the track gauge, (n,) for (n,) gauges [m]; [-].
+    """Equivalent conicity at one amplitude over the track gauge [-].
 
-    Parameters, NaN and errors as `functions.equivalent_conicity`.
+    Nine arguments, NaN and errors as `functions.equivalent_conicity`, with one wheel radius [m], one
+    amplitude [m] and (n,) gauges [m]; the result is (n,).
     """
     return np.array(
         [
@@ -135,7 +136,7 @@ class ConicityReport:
     functions : WheelsetFunctions
         Without roll, over lateral displacements of +-25 mm (less where a profile ends).
     gauge, radius, tape_distance : float
-        What they were computed for [m].
+        Of the track and the wheelset [m].
     clearance_right, clearance_left : float
         Displacements at which a flange begins to touch, the first negative [m].
     amplitudes, conicity : FloatArray
@@ -189,7 +190,9 @@ def conicity_report(
     amplitudes: FloatArray | None = None,
     smoothing: float = SMOOTHING,
 ) -> ConicityReport:
-    """Everything that the conicity of a pair (or two different pairs) of profiles at one gauge says.
+    """Conicity, flange clearance and nonlinearity of a pair (or two pairs) of profiles at one gauge.
+
+    Nine arguments, for the reason of `functions.wheelset_functions`.
 
     Parameters
     ----------
@@ -225,10 +228,8 @@ def conicity_report(
     )
     first, last = contiguous(functions.radius_difference)
     if last - first < 2:
-        raise ValueError(
-            f"gauge = {gauge} m: {wheel_left.name} and {rail_left.name} have no contact when centred "
-            f"(tape distance {tape_distance} m)"
-        )
+        pair = f"{wheel_left.name} and {rail_left.name}"
+        raise ValueError(f"gauge = {gauge} m: {pair} do not touch centred (tape distance {tape_distance} m)")
     to_right, to_left = flange_clearance(functions)
     lateral = functions.lateral
     to_right, to_left = max(to_right, lateral[first]), min(to_left, lateral[last - 1])

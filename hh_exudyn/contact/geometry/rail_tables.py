@@ -5,8 +5,8 @@ Between two sections the profiles blend over a ramp of length r about the place 
     z = (1 - w) z1 + w z2,   w = t^3 (10 - 15 t + 6 t^2),   t = (s - s_c)/r + 1/2                    (1)
 
 of points that lie alike in the track: the profiles are laid with their gauge points upon each other, to half
-a node spacing, and what is left of their difference blends too, like the gauge point itself. So the gauge
-stays what it is, nothing jumps, and outside its ramps a section has its own profile to the last digit. Along
+a node spacing, and the rest of their difference blends too, like the gauge point itself. So the gauge
+stays, nothing jumps, and outside its ramps a section has its own profile to the last digit. Along
 the ramp the search for contact takes the rail as a prism, as it is elsewhere; the slope of its surface there
 (2 mm ground off over 2 m) turns the contact frame (`surface_slope`).
 """
@@ -23,7 +23,7 @@ from hh_exudyn.contact.profiles.spline import MAX_SLOPE, spline_evaluate, spline
 from hh_exudyn.contact.types import RailTables, SplineTable
 from hh_exudyn.kernel import inlined_kernel, kernel
 
-CHANGE_LENGTH = 2.0  # m, assumed: over what length one rail passes into another (welded and ground)
+CHANGE_LENGTH = 2.0  # m, assumed: length over which one rail passes into another (welded and ground)
 _PROFILE, _START, _GAUGE_POINT, _END = range(4)  # columns of `RailTables.sections`; end: middle of the change
 _Z, _SECOND, _SLOPE = range(3)  # of `RailTables.nodes`
 
@@ -93,7 +93,7 @@ def rail_tables(course: RailCourse, smoothing: float) -> RailTables:
     course : RailCourse
         One side of the track.
     smoothing : float
-        As of `profile_spline.spline_table` [m].
+        As of `spline.spline_table` [m].
     """
     distinct: list[Profile] = []
     rows = []

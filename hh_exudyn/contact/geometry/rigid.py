@@ -6,6 +6,7 @@ tenth of a millimetre is asked of the profiles. `rolled_wheelset` adds the roll 
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -33,26 +34,28 @@ _ROLL_TOLERANCE = 1e-11  # rad, 0.01 nm at the wheels
 _ROLL_ITERATIONS = 80
 
 
+class StandingWheel(NamedTuple):
+    """A wheel of a wheelset, and the rail that it stands on."""
+
+    wheel: SplineTable
+    rail: SplineTable
+    side: float  # +1 left, -1 right
+    distance: float  # half the distance of the running circles [m]
+    radius: float  # of the wheel at the running circle [m]
+    rail_y: float  # origin of the rail's profile, y of the track frame [m]
+
+
 @kernel
-def posed_pair(
-    wheel: SplineTable,
-    rail: SplineTable,
-    side: float,
-    distance: float,
-    radius: float,
-    lateral: float,
-    roll: float,
-    rail_y: float,
-) -> WheelRailPair:
+def posed_pair(standing: StandingWheel, lateral: float, roll: float) -> WheelRailPair:
     """A wheel, its centre one nominal radius over the rail top, rolled about the wheelset's centre."""
     return WheelRailPair(
-        wheel,
-        rail,
-        side,
-        distance,
-        radius,
-        lateral - rail_y,
-        radius,
+        standing.wheel,
+        standing.rail,
+        standing.side,
+        standing.distance,
+        standing.radius,
+        lateral - standing.rail_y,
+        standing.radius,
         0.0,
         math.cos(roll),
         math.sin(roll),
@@ -122,23 +125,11 @@ def _gap_and_rate(pair: WheelRailPair) -> tuple[float, float]:
 
 
 @kernel
-def rolled_wheelset(
-    wheel_left: SplineTable,
-    rail_left: SplineTable,
-    wheel_right: SplineTable,
-    rail_right: SplineTable,
-    distance: float,
-    radius_left: float,
-    radius_right: float,
-    rail_y_left: float,
-    rail_y_right: float,
-    lateral: float,
-    start: float,
-) -> float:
+def rolled_wheelset(left: StandingWheel, right: StandingWheel, lateral: float, start: float) -> float:
     """Roll at which both wheels touch their rails [rad]; NaN where there is none.
 
     The difference of the centre heights that the two wheels ask for grows with the roll: bracketed around
-    `start`, then Newton's method kept inside the bracket.
+    `start`, then Newton's method inside the bracket.
     """
     low = high = start
     difference, rate = 0.0, 1.0
@@ -146,12 +137,10 @@ def rolled_wheelset(
     bracketed_low = bracketed_high = False
     roll = start
     for _ in range(_ROLL_ITERATIONS):
-        left = posed_pair(wheel_left, rail_left, 1.0, distance, radius_left, lateral, roll, rail_y_left)
-        right = posed_pair(wheel_right, rail_right, -1.0, distance, radius_right, lateral, roll, rail_y_right)
-        gap_left, rate_left = _gap_and_rate(left)
-        gap_right, rate_right = _gap_and_rate(right)
+        gap_left, rate_left = _gap_and_rate(posed_pair(left, lateral, roll))
+        gap_right, rate_right = _gap_and_rate(posed_pair(right, lateral, roll))
         # both centres stand one radius over the rails: the difference of the radii belongs to the gap
-        difference = (gap_left - radius_left) - (gap_right - radius_right)
+        difference = (gap_left - left.radius) - (gap_right - right.radius)
         rate = rate_left - rate_right
         if math.isnan(difference) or abs(roll) > _MAX_BRACKET:
             return math.nan
@@ -176,25 +165,15 @@ def rolled_wheelset(
 
 
 @kernel
-def wheel_contact(
-    wheel: SplineTable,
-    rail: SplineTable,
-    side: float,
-    distance: float,
-    radius: float,
-    lateral: float,
-    roll: float,
-    rail_y: float,
-    row: FloatArray,
-) -> None:
+def wheel_contact(standing: StandingWheel, lateral: float, roll: float, row: FloatArray) -> None:
     """Fill a row of `COLUMNS` for one wheel; NaN where it has no contact."""
-    pair = posed_pair(wheel, rail, side, distance, radius, lateral, roll, rail_y)
+    pair = posed_pair(standing, lateral, roll)
     gap, y_wheel = lowest_gap(pair)
-    z, slope, second = spline_evaluate(wheel, y_wheel)
+    z, slope, second = spline_evaluate(pair.wheel, y_wheel)
     _, _, _, y_rail, slope_rail, second_rail = gap_at(pair, y_wheel)
     row[Y_WHEEL] = y_wheel
     row[Y_RAIL] = y_rail
-    row[RADIUS] = radius - z
+    row[RADIUS] = standing.radius - z
     row[CONTACT_ANGLE] = -math.atan(slope_rail)
     row[LIFT] = -gap
     row[WHEEL_CURVATURE] = second / (1.0 + slope * slope) ** 1.5
@@ -202,50 +181,16 @@ def wheel_contact(
 
 
 @kernel
-def wheel_contacts(
-    wheel: SplineTable,
-    rail: SplineTable,
-    side: float,
-    distance: float,
-    radius: float,
-    rail_y: float,
-    lateral: FloatArray,
-    roll: FloatArray,
-    rows: FloatArray,
-) -> None:
+def wheel_contacts(standing: StandingWheel, lateral: FloatArray, roll: FloatArray, rows: FloatArray) -> None:
     """`wheel_contact` for every lateral displacement and its roll; fills `rows`, (n, COLUMNS)."""
     for i in range(lateral.size):
-        wheel_contact(wheel, rail, side, distance, radius, lateral[i], roll[i], rail_y, rows[i])
+        wheel_contact(standing, lateral[i], roll[i], rows[i])
 
 
 @kernel
-def wheelset_rolls(
-    wheel_left: SplineTable,
-    rail_left: SplineTable,
-    wheel_right: SplineTable,
-    rail_right: SplineTable,
-    distance: float,
-    radius_left: float,
-    radius_right: float,
-    rail_y_left: float,
-    rail_y_right: float,
-    lateral: FloatArray,
-    rolls: FloatArray,
-) -> None:
+def wheelset_rolls(left: StandingWheel, right: StandingWheel, lateral: FloatArray, rolls: FloatArray) -> None:
     """`rolled_wheelset` for every lateral displacement; fills `rolls`, NaN where there is none."""
     start = 0.0
     for i in range(lateral.size):
-        rolls[i] = rolled_wheelset(
-            wheel_left,
-            rail_left,
-            wheel_right,
-            rail_right,
-            distance,
-            radius_left,
-            radius_right,
-            rail_y_left,
-            rail_y_right,
-            lateral[i],
-            start,
-        )
+        rolls[i] = rolled_wheelset(left, right, lateral[i], start)
         start = 0.0 if math.isnan(rolls[i]) else rolls[i]

@@ -21,6 +21,7 @@ can still fall very steeply where contact goes from the flange root to the flang
 """
 
 import math
+from typing import NamedTuple
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.gap_interval import gap_slope_zero, least_gap, never_zero, slope_rate_bounds
@@ -47,7 +48,7 @@ LIMIT_HIGH = 15
 STIFFNESS = 16  # of its pressure where it is cut, else 0: see `non_elliptic.patch_strips`
 CONTACT_COLUMNS = 17
 
-_MOST_MINIMA = 12  # of one wheel that are kept; standard profiles have up to 4
+_MOST_MINIMA = 12  # of one wheel; standard profiles have up to 4
 MAX_MINIMA = _MOST_MINIMA + 6  # rows of the working memory: in the last six, intervals wait for their turn
 _RANGE_START, _RANGE_END = -0.035, 0.055  # m, the part of a wheel that can meet the rail head
 _DEEPEST = 0.05  # m, radius of a flange tip less that of the running circle, at most
@@ -57,6 +58,22 @@ _NARROW = 4  # node spacings, at most, of an interval in which a single zero is 
 _PARTS = 2
 _JOINED = -1.0  # in place of a saddle that has been dealt with
 _TURNING_ITERATIONS = 25  # to 1e-11 m: two minima that part in between are found before they matter
+
+
+class _GapSlope(NamedTuple):
+    """The slope of the gap at one place of the wheel."""
+
+    y: float  # on the wheel profile [m]
+    slope: float  # of the gap [-]
+    rate: float  # its derivative [1/m]
+
+
+class _Found(NamedTuple):
+    """The state of the search: rows of contacts so far, and the saddle since the last of them."""
+
+    rows: int
+    saddle: float  # its depth, 0 after an open gap [m]
+    saddle_y: float  # where it lies on the wheel profile [m]
 
 
 @inlined_kernel
@@ -115,7 +132,7 @@ def _complete(pair: WheelRailPair, contacts: FloatArray, count: int) -> None:
 
 @inlined_kernel
 def _find_minima(pair: WheelRailPair, contacts: FloatArray) -> int:
-    """Halve intervals of nodes until what they hold is certain, find the zeros: rows of `contacts`.
+    """Halve intervals of nodes until their zeros are certain, find these: rows of `contacts`.
 
     In the order of y: Y_WHEEL, Y_RAIL, CONTACT_ANGLE, RAIL_CURVATURE, DEPTH, SADDLE, SADDLE_Y, _WEIGHT (1).
     """
@@ -123,8 +140,7 @@ def _find_minima(pair: WheelRailPair, contacts: FloatArray) -> int:
     waiting = contacts[_MOST_MINIMA:]  # right ends of the intervals that wait, one a row
     stop = min(wheel.z.size - 1, math.floor((_RANGE_END - wheel.start) * wheel.per_step))
     first, last = _nodes_on_rail(pair, max(0, math.ceil((_RANGE_START - wheel.start) * wheel.per_step)), stop)
-    count = 0
-    saddle, saddle_y = 0.0, 0.0  # of the saddle since the last minimum; its depth is 0 once the gap opened
+    found = _Found(0, 0.0, 0.0)
     if first >= last:
         return 0
     i = first
@@ -139,7 +155,7 @@ def _find_minima(pair: WheelRailPair, contacts: FloatArray) -> int:
             crosses = (slope < 0.0) != (next_slope < 0.0)
             certain = crosses and (least >= 0.0 or most <= 0.0)  # one zero
             if min(gap, next_gap) > 0.0 and least_gap(gap, slope, next_gap, next_slope, width, least) > 0.0:
-                saddle = 0.0  # the gap is open all the way
+                found = _Found(found.rows, 0.0, found.saddle_y)  # the gap is open all the way
             elif crosses or not never_zero(slope, next_slope, width, least, most):
                 if j - i > 1 and not (certain and j - i <= _NARROW):
                     end = waiting[depth]
@@ -150,16 +166,11 @@ def _find_minima(pair: WheelRailPair, contacts: FloatArray) -> int:
                     next_gap, next_slope, next_rate, next_y_rail = _at_node(pair, j)
                     continue
                 y = wheel.start + i * wheel.step
+                here, there = _GapSlope(y, slope, rate), _GapSlope(y + width, next_slope, next_rate)
                 if certain:
-                    count, saddle, saddle_y = _add_root(
-                        pair, y, y + width, slope, next_slope, rate, next_rate, contacts,
-                        count, saddle, saddle_y,
-                    )  # fmt: skip
+                    found = _add_root(pair, here, there, contacts, found)
                 else:
-                    count, saddle, saddle_y = _add_doubtful_roots(
-                        pair, y, width, slope, rate, next_slope, next_rate, contacts,
-                        count, saddle, saddle_y,
-                    )  # fmt: skip
+                    found = _add_doubtful_roots(pair, here, there, width, contacts, found)
             i, gap, slope, rate, y_rail = j, next_gap, next_slope, next_rate, next_y_rail
             if depth == 0:
                 break
@@ -167,7 +178,7 @@ def _find_minima(pair: WheelRailPair, contacts: FloatArray) -> int:
             end = waiting[depth]
             j = int(end[0])
             next_gap, next_slope, next_rate, next_y_rail = end[1], end[2], end[3], end[4]
-    return count
+    return found.rows
 
 
 @inlined_kernel
@@ -200,8 +211,9 @@ def _nodes_on_rail(pair: WheelRailPair, first: int, last: int) -> tuple[int, int
 
 
 @kernel
-def _turns(before: float, rate_before: float, now: float, rate: float, spacing: float) -> bool:
+def _turns(low: _GapSlope, high: _GapSlope, spacing: float) -> bool:
     """Whether the gap's slope turns around between two nodes so near to zero that it may cross it twice."""
+    before, rate_before, now, rate = low.slope, low.rate, high.slope, high.rate
     return (
         (before < 0.0) == (now < 0.0)
         and (before < 0.0) == (rate_before >= 0.0)
@@ -214,47 +226,44 @@ def _turns(before: float, rate_before: float, now: float, rate: float, spacing: 
 @kernel
 def _add_doubtful_roots(
     pair: WheelRailPair,
-    start: float,
+    first: _GapSlope,
+    last: _GapSlope,
     spacing: float,
-    before: float,
-    rate_before: float,
-    now: float,
-    rate: float,
     contacts: FloatArray,
-    count: int,
-    saddle: float,
-    saddle_y: float,
-) -> tuple[int, float, float]:
-    """All zeros of the gap's slope between two nodes where their number is not certain; see `_add_root`."""
+    found: _Found,
+) -> _Found:
+    """All zeros of the gap's slope between two nodes where their number is not certain; see `_add_root`.
+
+    `spacing` is the distance of the nodes [m].
+    """
     width = spacing / _PARTS
+    before = first
     for part in range(_PARTS):
-        low, high = start + part * width, start + (part + 1) * width
-        there, rate_there = now, rate
+        low, high = first.y + part * width, first.y + (part + 1) * width
+        there, rate_there = last.slope, last.rate
         if part < _PARTS - 1:
             _, there, rate_there, _, _, _ = gap_at(pair, high)
-        middle, between, rate_between = high, there, rate_there
-        if _turns(before, rate_before, there, rate_there, width):
-            middle, between, rate_between = _turning_point(pair, low, high, before, rate_before)
+        before = _GapSlope(low, before.slope, before.rate)
+        end = _GapSlope(high, there, rate_there)
+        between = end
+        if _turns(before, end, width):
+            between = _turning_point(pair, before, high)
         for _ in range(2):  # up to the middle, and from there
-            if (before < 0.0) != (between < 0.0):
-                count, saddle, saddle_y = _add_root(
-                    pair, low, middle, before, between, rate_before, rate_between, contacts,
-                    count, saddle, saddle_y,
-                )  # fmt: skip
-            low, before, rate_before = middle, between, rate_between
-            middle, between, rate_between = high, there, rate_there
-    return count, saddle, saddle_y
+            if (before.slope < 0.0) != (between.slope < 0.0):
+                found = _add_root(pair, before, between, contacts, found)
+            before = between
+            between = end
+    return found
 
 
 @kernel
-def _turning_point(
-    pair: WheelRailPair, low: float, high: float, before: float, rate_before: float
-) -> tuple[float, float, float]:
-    """A point between two nodes where the gap's slope has another sign than at both; slope and rate there.
+def _turning_point(pair: WheelRailPair, start: _GapSlope, high: float) -> _GapSlope:
+    """A point between `start` and `high` where the gap's slope has another sign than at both.
 
     Bisection for the extremum; it ends early where it finds such a point or that there is none: then the
-    slope returned has the sign of `before`.
+    slope returned has the sign of that at `start`.
     """
+    low, before, rate_before = start.y, start.slope, start.rate
     y, difference, rate = low, before, rate_before
     for _ in range(_TURNING_ITERATIONS):
         y = 0.5 * (low + high)
@@ -265,51 +274,36 @@ def _turning_point(
             low = y
         else:
             high = y
-    return y, difference, rate
+    return _GapSlope(y, difference, rate)
 
 
 @inlined_kernel
 def _add_root(
-    pair: WheelRailPair,
-    low: float,
-    high: float,
-    at_low: float,
-    at_high: float,
-    rate_low: float,
-    rate_high: float,
-    contacts: FloatArray,
-    count: int,
-    saddle: float,
-    saddle_y: float,
-) -> tuple[int, float, float]:
-    """Find where the slope of the gap is zero between `low` and `high` and put it down.
+    pair: WheelRailPair, low: _GapSlope, high: _GapSlope, contacts: FloatArray, found: _Found
+) -> _Found:
+    """Find where the slope of the gap is zero between two places and write it down.
 
     A minimum (rising slope) with a negative gap becomes a row of `contacts`; a maximum is a saddle.
-
-    Returns
-    -------
-    count, saddle, saddle_y : float
-        Number of rows, and the depth and place of the saddle since the last one.
     """
     y, gap, y_rail, slope_rail, second_rail = gap_slope_zero(
-        pair, low, high, at_low, at_high, rate_low, rate_high
+        pair, low.y, high.y, low.slope, high.slope, low.rate, high.rate
     )
     depth = max(0.0, -gap)
-    if at_high < 0.0:
-        return (count, depth, y) if depth < saddle else (count, saddle, saddle_y)
-    if depth == 0.0 or count == _MOST_MINIMA:
-        return count, 0.0, y
-    row = contacts[count]
+    if high.slope < 0.0:
+        return _Found(found.rows, depth, y) if depth < found.saddle else found
+    if depth == 0.0 or found.rows == _MOST_MINIMA:
+        return _Found(found.rows, 0.0, y)
+    row = contacts[found.rows]
     row[Y_WHEEL] = y
     row[Y_RAIL] = y_rail
     row[CONTACT_ANGLE] = -math.atan(slope_rail)
     square = 1.0 + slope_rail * slope_rail
     row[RAIL_CURVATURE] = -second_rail / (square * math.sqrt(square))
     row[DEPTH] = depth
-    row[SADDLE] = min(saddle, depth)
-    row[SADDLE_Y] = saddle_y
+    row[SADDLE] = min(found.saddle, depth)
+    row[SADDLE_Y] = found.saddle_y
     row[_WEIGHT] = 1.0
-    return count + 1, math.inf, y
+    return _Found(found.rows + 1, math.inf, y)
 
 
 @kernel

@@ -7,7 +7,7 @@ R' = dR/dt, the outward normal is along e - R' l (l axle direction, e radial uni
     e.x = R' l.x                                                                                     (1)
 
 which fixes e (its lower branch): a flange touches ahead of the axle when the wheelset has an angle of attack.
-Over the lateral coordinate these points are the wheel's silhouette, whose slope is dz/dy = -n.y/n.z of the
+Over the lateral coordinate these points are the wheel's silhouette, its slope is dz/dy = -n.y/n.z of the
 same normal. The vertical gap between silhouette and rail has its local minima just where their slopes are
 equal.
 """
@@ -124,7 +124,7 @@ def gap_at(pair: WheelRailPair, y_wheel: float) -> tuple[float, float, float, fl
 def gap_below(
     pair: WheelRailPair, y_wheel: float, z: float, slope: float, second: float
 ) -> tuple[float, float, float, float, float, float]:
-    """`gap_at` for a point whose height and derivatives on the wheel profile are known."""
+    """`gap_at` for a point with known height and derivatives on the wheel profile."""
     _, py, pz, slope_wheel = silhouette(pair, y_wheel, z, slope)
     y_rail = -pair.side * (pair.centre_y + py)
     z_rail, slope_rail, second_rail = spline_evaluate(pair.rail, y_rail)

@@ -23,6 +23,10 @@ from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.types import RollingPatch
 from hh_exudyn.kernel import inlined_kernel
 
+# Half the sum of the lateral curvatures below which the ellipse would be wider than the profiles have their
+# curvature (conformal contact): a relative radius of 2 m, an ellipse about 2.5 times wider than long.
+CURVATURE_FLOOR = 0.25  # 1/m
+
 _LARGEST_RATIO = 1e6  # longer over shorter semi-axis that the exact solution looks for [-]
 _TABLE_RATIO = 300.0  # the same at the end of the kernel's table, beyond which it is clamped [-]
 _INTERVALS = 256

@@ -1,6 +1,6 @@
 """The gap between undeformed wheel and rail across a contact patch, seen in the contact plane (kernels).
 
-A non-elliptic patch is made of strips in rolling direction. What they need is the gap curve over the lateral
+A non-elliptic patch is made of strips in rolling direction. They need the gap curve over the lateral
 coordinate s of the contact plane, taken exactly from both profiles instead of from their curvatures at one
 point: zero at the point of deepest interpenetration.
 
@@ -18,16 +18,16 @@ _STEEPEST = 0.17  # cosine of 80 degrees to the contact plane: nothing further r
 
 
 class Minimum(NamedTuple):
-    """The point of deepest interpenetration, and what the strips around it share."""
+    """The point of deepest interpenetration, and the quantities that the strips around it share."""
 
-    normal: int  # a value of `non_elliptic.NORMAL_THEORIES`
+    normal: int  # a value of `normal.registry.NORMAL_THEORIES`
     y_wheel: float  # side coordinates [m]
     y_rail: float
     z_rail: float
     cosine: float  # of the contact angle
     sine: float
     depth: float  # rigid interpenetration along the normal [m]
-    approach: float  # elastic approach [m]: the same less what neighbours press down
+    approach: float  # elastic approach [m]: the same less the displacement by neighbours
     curvature_x: float  # A, half the sum of the curvatures in rolling direction [1/m]
     curvature_y: float  # B, lateral
     a: float  # Hertz's patch for them [m]

@@ -17,8 +17,8 @@ and c makes the displacement of the half-spaces at the deepest point equal to th
     delta = (1 - nu)/(pi G) * integral of p / r                                                          (4)
 
 A gap g = B y^2 gives Hertz's ellipse, pressure and force. Beyond |y| = b, where the profiles are flatter than
-at the deepest point, eps keeps its value at b. The constant eps = 0.55 of 1996 gives an ellipse of other
-shape, see the notes of `tests/contact/normal/test_kik_piotrowski.py` for what that costs.
+at the deepest point, eps has its value at b. The constant eps = 0.55 of 1996 gives an ellipse of other
+shape, see the notes of `tests/contact/normal/test_kik_piotrowski.py` for the cost of that.
 """
 
 import math

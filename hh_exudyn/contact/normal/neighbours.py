@@ -1,4 +1,4 @@
-"""Patches of one wheel that lie near one another: whose strips are whose, and what they press down (kernels).
+"""Patches of one wheel near one another: the division of strips, and their interaction (kernels).
 
 Cuts. Where two minima lie in one region of interpenetration, each owns its side of a cut, so that nothing is
 counted twice (sharing a force by weights, as `search` does for ellipses, would count strips twice). With the
@@ -44,14 +44,15 @@ from hh_exudyn.contact.geometry.search import (
     sort_by_approach,
 )
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair
-from hh_exudyn.contact.normal.non_elliptic import ANALYN, edge, minimum, patch_strips, strip_at
+from hh_exudyn.contact.normal.non_elliptic import edge, minimum, patch_strips, strip_at
+from hh_exudyn.contact.normal.registry import pressure_by_strip
 from hh_exudyn.contact.types import MAX_PATCHES
 from hh_exudyn.kernel import kernel
 
-_FORCE = SADDLE  # columns for the normal force and for what lies beyond a cut: the saddles are then done with
+_FORCE = SADDLE  # columns for the normal force and for that beyond a cut, once the saddles are used up
 _BEYOND = SADDLE_Y
 _LEAST_PART = 1e-9  # of a patch's force that counts as lying beyond a cut
-_SWEEPS = 3  # of the interaction; what is left of it then is below 2 % of itself
+_SWEEPS = 3  # of the interaction; its error then is below 2 % of itself
 _RELAXATION = 0.7
 
 
@@ -107,7 +108,7 @@ def _press_on_each_other(
     poisson_ratio: float,
     strips: FloatArray,
 ) -> None:
-    """Reduce the approach of each patch by what the others press its place down (equation 2).
+    """Reduce the approach of each patch by the displacement that the others cause at its place (equation 2).
 
     Relaxed fixed-point iteration, all patches at once, so that their order plays no part.
     """
@@ -158,7 +159,7 @@ def _solve_whole_and_cut(
     """
     low = minimum(normal, pair, contact, shear_modulus, poisson_ratio)
     own[:] = contact
-    if normal == ANALYN:
+    if pressure_by_strip(normal):
         own[_FORCE], _, _, _, _ = patch_strips(pair, own, low, 0.0, strips)
         return 0.0, 0.0
     whole[:] = contact

@@ -22,42 +22,21 @@ from hh_exudyn.contact.geometry.search import (
     Y_WHEEL,
 )
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette
-from hh_exudyn.contact.normal import analyn, kik_piotrowski
-from hh_exudyn.contact.normal.hertz import normal_contact
+from hh_exudyn.contact.normal import kik_piotrowski
+from hh_exudyn.contact.normal.hertz import CURVATURE_FLOOR, normal_contact
 from hh_exudyn.contact.normal.interpenetration import Minimum, gap_curve
+from hh_exudyn.contact.normal.registry import pressure_by_strip, strip
 from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.contact.tangential.strips import HALF_LENGTH, PRESSURE, WIDTH, Y
+from hh_exudyn.contact.types import Triple
 from hh_exudyn.kernel import inlined_kernel, kernel
-
-HERTZ = 0
-ANALYN = 1
-KIK_PIOTROWSKI = 2
-NORMAL_THEORIES: dict[str, int] = {"hertz": HERTZ, "analyn": ANALYN, "kik_piotrowski": KIK_PIOTROWSKI}
-
-# Half the sum of the lateral curvatures below which Hertz's ellipse would be wider than the profiles keep
-# their curvature (conformal contact): a relative radius of 2 m, an ellipse about 2.5 times wider than long.
-CURVATURE_FLOOR = 0.25  # 1/m
 
 _STEP_PER_WIDTH = 0.52  # of the search for the edges, over Hertz's lateral semi-axis
 _SMALLEST_STEP, _LARGEST_STEP = 0.02e-3, 1.5e-3  # m
 _MAX_STEPS = 100  # outwards and in the bracket together
 _TOLERANCE = 1e-9  # m, of an edge
 _HALF_PI = 0.5 * math.pi
-_SQUARE_ROOT_EDGE = 0.086110  # -zeta(-1/2, 1/2) sqrt(2): what midpoints add to the area of sqrt(y) at y = 0
-
-
-def check_combination(normal: str, theory: str) -> None:
-    """Whether a tangential theory can take the patches of a normal one.
-
-    Raises
-    ------
-    ValueError
-        For strips under a theory that is made for ellipses.
-    """
-    if normal != "hertz" and theory != "fastrip":
-        raise ValueError(
-            f"theory = {theory!r} is made for ellipses; the patches of normal = {normal!r} need 'fastrip'"
-        )
+_SQUARE_ROOT_EDGE = 0.086110  # -zeta(-1/2, 1/2) sqrt(2): excess of midpoints in the area of sqrt(y) at y = 0
 
 
 @kernel
@@ -96,25 +75,15 @@ def strip_at(pair: WheelRailPair, low: Minimum, y_wheel: float) -> tuple[float, 
     The pressure of Kik and Piotrowski awaits the factor c: it is the half length here.
     """
     s, gap, curvature_y = gap_curve(pair, low, y_wheel)
-    if low.normal == ANALYN:
-        inside, half_length, pressure = analyn.strip(
-            gap,
-            low.approach,
-            low.curvature_x,
-            max(curvature_y, CURVATURE_FLOOR),
-            low.shear_modulus,
-            low.poisson_ratio,
-        )
-        return s, inside, half_length, pressure
-    inside, half_length = kik_piotrowski.strip(gap, s, low.curvature_x, low.curvature_y, low.a, low.b)
-    return s, inside, half_length, half_length
+    inside, half_length, pressure = strip(low, s, gap, curvature_y)
+    return s, inside, half_length, pressure
 
 
 @kernel
 def edge(pair: WheelRailPair, low: Minimum, limit: float) -> float:
     """Where the patch ends on the side of `limit`, at the latest there: y on the wheel profile [m].
 
-    Steps outwards until a strip is not in contact, then the secant method kept in its bracket (Illinois) over
+    Steps outwards until a strip is not in contact, then the secant method in its bracket (Illinois) over
     the square of the distance, in which an ellipse's `inside` is a straight line.
     """
     direction = 1.0 if limit > low.y_wheel else -1.0
@@ -158,7 +127,7 @@ def patch_strips(
     stiffness: float,
     strips: FloatArray,
 ) -> tuple[float, float, float, float, float]:
-    """The strips of one patch and what they carry (kernel: trusts its input).
+    """The strips of one patch and their load (kernel: trusts its input).
 
     Midpoint sums with the end corrections that make them exact for an elliptic gap: of the force (a parabola
     over y) and of the area (a square root at each edge).
@@ -197,6 +166,46 @@ def patch_strips(
         return 0.0, 0.0, 0.0, 0.0, 0.0
     n = strips.shape[0]
     step = (end - start) / n
+    at_start, at_end = _place_strips(pair, low, start, end, strips)
+    s_start, half_start, pressure_start = at_start
+    s_end, half_end, pressure_end = at_end
+    longest, largest, load, moment, area = 0.0, 0.0, 0.0, 0.0, 0.0
+    if limit_low < y_wheel and y_wheel < limit_high:
+        longest, largest = low.a, low.pressure  # exact, where strips may miss the middle
+    for i in range(n):
+        width, half_length = strips[i, WIDTH], strips[i, HALF_LENGTH]
+        area += width * half_length
+        share = width * half_length * strips[i, PRESSURE]
+        load += share
+        moment += share * (i + 0.5)
+        longest = max(longest, half_length)
+        if pressure_by_strip(low.normal):
+            largest = max(largest, strips[i, PRESSURE])
+    y_centre = start + step * moment / load
+    load -= _end_correction(strips, 0, 1, half_start * pressure_start)
+    load -= _end_correction(strips, n - 1, n - 2, half_end * pressure_end)
+    area -= _area_correction(strips, 0, half_start) + _area_correction(strips, n - 1, half_end)
+    if not pressure_by_strip(low.normal):
+        if stiffness == 0.0:
+            stiffness = _stiffness(low, strips, s_start, s_end, half_start, half_end)
+        factor = low.approach * stiffness
+        largest = factor * longest
+        load *= factor
+        for i in range(n):
+            strips[i, PRESSURE] *= factor
+    half_width = 0.5 * (s_end - s_start)
+    scale = math.sqrt(2.0 * area / (math.pi * longest * half_width))
+    _refer_to_centre(pair, contact, low, y_centre, strips)
+    return _HALF_PI * load, largest, scale * longest, scale * half_width, stiffness
+
+
+@inlined_kernel
+def _place_strips(
+    pair: WheelRailPair, low: Minimum, start: float, end: float, strips: FloatArray
+) -> tuple[Triple, Triple]:
+    """Fill the strips between two places on the wheel; s, half length and pressure at both edges."""
+    n = strips.shape[0]
+    step = (end - start) / n
     s_start = half_start = pressure_start = s_end = half_end = pressure_end = 0.0
     for i in range(-1, n + 1):  # both edges too: a cut has a length there
         y = min(max(start + (i + 0.5) * step, start), end)
@@ -212,34 +221,7 @@ def patch_strips(
         after = 0.5 * (strips[i, Y] + strips[i + 1, Y]) if i < n - 1 else s_end
         strips[i, WIDTH] = after - node
         node = after
-    longest, largest, load, moment, area = 0.0, 0.0, 0.0, 0.0, 0.0
-    if limit_low < y_wheel and y_wheel < limit_high:
-        longest, largest = low.a, low.pressure  # exact, where strips may miss the middle
-    for i in range(n):
-        width, half_length = strips[i, WIDTH], strips[i, HALF_LENGTH]
-        area += width * half_length
-        share = width * half_length * strips[i, PRESSURE]
-        load += share
-        moment += share * (i + 0.5)
-        longest = max(longest, half_length)
-        if low.normal == ANALYN:
-            largest = max(largest, strips[i, PRESSURE])
-    y_centre = start + step * moment / load
-    load -= _end_correction(strips, 0, 1, half_start * pressure_start)
-    load -= _end_correction(strips, n - 1, n - 2, half_end * pressure_end)
-    area -= _area_correction(strips, 0, half_start) + _area_correction(strips, n - 1, half_end)
-    if low.normal != ANALYN:
-        if stiffness == 0.0:
-            stiffness = _stiffness(low, strips, s_start, s_end, half_start, half_end)
-        factor = low.approach * stiffness
-        largest = factor * longest
-        load *= factor
-        for i in range(n):
-            strips[i, PRESSURE] *= factor
-    half_width = 0.5 * (s_end - s_start)
-    scale = math.sqrt(2.0 * area / (math.pi * longest * half_width))
-    _refer_to_centre(pair, contact, low, y_centre, strips)
-    return _HALF_PI * load, largest, scale * longest, scale * half_width, stiffness
+    return (s_start, half_start, pressure_start), (s_end, half_end, pressure_end)
 
 
 @kernel
@@ -248,7 +230,7 @@ def _refer_to_centre(
 ) -> None:
     """Take the centre of pressure as the place of a contact, and as the origin of its strips.
 
-    The contact plane there is between wheel and rail, whose slopes differ where the patch is not symmetric:
+    The contact plane there is between wheel and rail: their slopes differ where the patch is not symmetric:
     two equal bodies meet half way.
     """
     centre, _, _ = gap_curve(pair, low, y_wheel)
@@ -266,7 +248,7 @@ def _refer_to_centre(
 
 @kernel
 def _end_correction(strips: FloatArray, first: int, second: int, at_edge: float) -> float:
-    """What the midpoint sum of half length times pressure has too much at one end.
+    """Excess of the midpoint sum of half length times pressure at one end.
 
     (Width^2/24) times the slope there, from the parabola through the values at the edge and in the first two
     strips (Euler-Maclaurin).
@@ -287,7 +269,7 @@ def _correction(width: float, at_edge: float, first: float, second: float) -> fl
 
 @kernel
 def _area_correction(strips: FloatArray, i: int, at_edge: float) -> float:
-    """What the midpoint sum of half lengths has too much at one end, where they begin with a square root."""
+    """Excess of the midpoint sum of half lengths at one end, where they begin with a square root."""
     half_length = strips[i, HALF_LENGTH]
     if not half_length > at_edge:
         return 0.0

@@ -2,6 +2,7 @@
 
 =============  ======================================================================================
 `profile`      `Profile`, a line z(y) in side coordinates, and its gauge point
+`library`      the standard shapes by name, rails at any inclination
 `standard`     S1002 and rail heads from their arcs
 `malmbanan`    stand-ins for the profiles of the Malmbanan line, all assumed
 `reader`       files of any format, cleaned and smoothed

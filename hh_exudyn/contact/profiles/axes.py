@@ -1,6 +1,6 @@
 """The axes of a scanned wheel or rail: which way is up, where is the track centre, where is y = 0.
 
-The axes of the formats are told in `profile_formats`. How they become side coordinates (y towards the track
+The axes of the formats stand in `formats`. How they become side coordinates (y towards the track
 centre, z up):
 
 * Up: whatever protrudes over less than half the width (a wheel's flange, a rail's sides) points down.
@@ -23,7 +23,7 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profiles.formats import SIMPACK
 from hh_exudyn.conventions import FLANGE_BACK_TO_RUNNING_CIRCLE, GAUGE_MEASURING_DEPTH
 
-PROTRUSION = 10e-3  # m below the tread: what is lower is a flange, or a side of a rail
+PROTRUSION = 10e-3  # m below the tread: anything lower is a flange, or a side of a rail
 _TIP_FROM_RUNNING_CIRCLE = 40e-3, 68e-3  # m
 _TIP_FROM_FLANGE_BACK = 2e-3, 35e-3  # m
 
@@ -65,11 +65,11 @@ def side_coordinates(
     path : Path
         For messages.
     kind, file_format : str
-        Of the profile, as in `profile_formats.RawPoints`.
+        Of the profile, as in `formats.RawPoints`.
     y, z : FloatArray
         The curve in the file's axes [m].
     mirrored, flange_back
-        As `profile_reader.read_profile`.
+        As `reader.read_profile`.
 
     Raises
     ------
@@ -104,7 +104,7 @@ def tread(y: FloatArray, z: FloatArray) -> float:
 
 
 def protrusion_is_down(y: FloatArray, z: FloatArray) -> bool:
-    """Whether what protrudes from the tread (flange, sides of a rail) has negative z."""
+    """Whether the protrusion of the profile (flange, sides of a rail) has negative z."""
     return bool(np.sum((z - tread(y, z)) * _widths(y)) < 0.0)
 
 
@@ -112,7 +112,7 @@ def _flange_side(y: FloatArray, z: FloatArray) -> float:
     """+1 where the flange (z downwards) lies at the larger y of the file, -1 at the smaller."""
     flange = z - tread(y, z) < -PROTRUSION
     if not flange.any():
-        return 1.0  # `check_cover` says what is missing
+        return 1.0  # `check_cover` names the missing part
     return 1.0 if np.average(y[flange]) > 0.5 * (y.min() + y.max()) else -1.0
 
 
@@ -135,7 +135,7 @@ def _gauge_side(path: Path, file_format: str, mirrored: bool, y: FloatArray, z: 
 def _running_circle(
     path: Path, y: FloatArray, z: FloatArray, side: float, flange_back: float | None
 ) -> float:
-    """What brings y = 0 to the running circle; y towards the flange, with the file's zero [m]."""
+    """Shift that brings y = 0 to the running circle; y towards the flange, with the file's zero [m]."""
     if flange_back is not None:
         return FLANGE_BACK_TO_RUNNING_CIRCLE - side * flange_back
     height = tread(y, z) - float(z.min())

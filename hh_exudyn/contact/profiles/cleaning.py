@@ -23,7 +23,7 @@ def arc_length(y: FloatArray, z: FloatArray) -> FloatArray:
 def file_order(y: FloatArray, z: FloatArray) -> IndexArray:
     """Indices that put points in the order of the curve.
 
-    Points come along the curve, which may hang over, so their order is kept; unless the way through them is
+    Points come along the curve, which may hang over, so their order stays; unless the way through them is
     twice as long as sorted by y: then the lines of the file were shuffled.
     """
     by_y = np.argsort(y, kind="stable")
@@ -32,12 +32,12 @@ def file_order(y: FloatArray, z: FloatArray) -> IndexArray:
 
 
 def distinct(y: FloatArray, z: FloatArray) -> IndexArray:
-    """Indices of the points that lie at least `DUPLICATE` from the last one kept."""
-    kept = [0]
+    """Indices of the points that lie at least `DUPLICATE` from the last such point."""
+    indices = [0]
     for i in range(1, len(y)):
-        if np.hypot(y[i] - y[kept[-1]], z[i] - z[kept[-1]]) >= DUPLICATE:
-            kept.append(i)
-    return np.array(kept)
+        if np.hypot(y[i] - y[indices[-1]], z[i] - z[indices[-1]]) >= DUPLICATE:
+            indices.append(i)
+    return np.array(indices)
 
 
 def single_valued(y: FloatArray, z: FloatArray, anchor: int) -> tuple[IndexArray, int, int]:
@@ -52,7 +52,7 @@ def single_valued(y: FloatArray, z: FloatArray, anchor: int) -> tuple[IndexArray
 
     Returns
     -------
-    kept : IndexArray
+    indices : IndexArray
         Indices, y strictly increasing.
     loops, overhangs : int
         How many points were left out inside, and cut off at the ends.
@@ -60,16 +60,16 @@ def single_valued(y: FloatArray, z: FloatArray, anchor: int) -> tuple[IndexArray
     length = arc_length(y, z)
     after, loops_after, cut_after = _outwards(y[anchor:], length[anchor:])
     before, loops_before, cut_before = _outwards(-y[anchor::-1], -length[anchor::-1])
-    kept = np.concatenate([anchor - before[:0:-1], anchor + after])
-    return kept, loops_after + loops_before, cut_after + cut_before
+    indices = np.concatenate([anchor - before[:0:-1], anchor + after])
+    return indices, loops_after + loops_before, cut_after + cut_before
 
 
 def _outwards(y: FloatArray, length: FloatArray) -> tuple[IndexArray, int, int]:
-    """Kept indices from the first point on, the number of points in loops, the number cut off."""
-    kept = [0]
+    """Indices of the single-valued line from the first point on; numbers of points in loops and cut off."""
+    indices = [0]
     for i in range(1, len(y)):
-        if y[i] > y[kept[-1]]:
-            kept.append(i)
-        elif not np.any((y[i:] > y[kept[-1]]) & (length[i:] - length[kept[-1]] <= LONGEST_LOOP)):
+        if y[i] > y[indices[-1]]:
+            indices.append(i)
+        elif not np.any((y[i:] > y[indices[-1]]) & (length[i:] - length[indices[-1]] <= LONGEST_LOOP)):
             break
-    return np.array(kept), kept[-1] + 1 - len(kept), len(y) - 1 - kept[-1]
+    return np.array(indices), indices[-1] + 1 - len(indices), len(y) - 1 - indices[-1]

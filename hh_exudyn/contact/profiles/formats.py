@@ -1,8 +1,8 @@
-"""The text formats of profile files, told apart by their content: from characters to points.
+"""The text formats of profile files, recognised by their content: from characters to points.
 
-Each format has its own axes; the points stay in them here and `profile_reader` turns them:
+Each format has its own axes; the points stay in them here and `reader` turns them:
 
-* two columns: y and z; ours are side coordinates, see `profile_reader`.
+* two columns: y and z; ours are side coordinates, see `reader`.
 * SIMPACK prw/prr: y and z of a RIGHT wheel or rail, y outwards (away from the track centre), z DOWN, in the
   unit that ``units.len.f`` gives per metre, after the file's own shift, bounds and mirroring. A wheel's y is
   counted from its running circle (Manchester benchmark) or from its flange back (worn wheels of CONTACT).
@@ -45,9 +45,9 @@ class RawPoints:
     lines : list of int
         Line number of each point.
     header : dict
-        What the header says, key to text.
+        The header, key to text.
     notes : tuple of str
-        What the file itself asked for and was done: shifts, bounds.
+        Changes that the file itself asks for: shifts, bounds.
     """
 
     format: str
@@ -66,15 +66,15 @@ def read_points(path: Path) -> RawPoints:
     ------
     ValueError
         No such file, empty, binary, too large, cut off, or a line that cannot be understood; the message
-        names file, line and what is expected.
+        names file, line and the expected form.
     """
     text = _text(path).splitlines()
-    told = [line for line in text if line.strip()][:100]
-    if any(_SIMPACK.match(line) for line in told):
+    filled = [line for line in text if line.strip()][:100]
+    if any(_SIMPACK.match(line) for line in filled):
         return _simpack(path, text)
-    if told and _MINIPROF_2020.match(told[0]):
+    if filled and _MINIPROF_2020.match(filled[0]):
         return _miniprof_2020(path, text)
-    if told and _KEY_VALUE.match(told[0]):
+    if filled and _KEY_VALUE.match(filled[0]):
         return _miniprof(path, text)
     return _two_column(path, text)
 
@@ -158,10 +158,10 @@ def _miniprof(path: Path, text: list[str]) -> RawPoints:
     expected = f"{len(names)} numbers ({','.join(names)}; lengths in mm)"
     y, z, lines = _points(path, rows, range(len(names), len(names) + 1), columns, expected)
     if header.get("XYPoints", ""):
-        told = _header_number(path, header, "XYPoints")
-        if told != len(y):
+        stated = _header_number(path, header, "XYPoints")
+        if stated != len(y):
             raise ValueError(
-                f"profile {path}: {len(y)} points, but XYPoints = {told:g}: is the file cut off?"
+                f"profile {path}: {len(y)} points, but XYPoints = {stated:g}: is the file cut off?"
             )
     notes = []
     shifts = [_header_number(path, header, key) for key in ("XOffset", "YOffset")]
@@ -233,17 +233,18 @@ def _simpack(path: Path, text: list[str]) -> RawPoints:
     if shift_y or shift_z:
         y, z = y + shift_y, z + shift_z
         notes.append(f"moved by the file's shift.y = {shift_y:g}, shift.z = {shift_z:g}")
-    kept = np.ones(len(y), dtype=bool)
+    in_bounds = np.ones(len(y), dtype=bool)
     for values, axis in ((y, "y"), (z, "z")):
         low, high = number_of(f"bound.{axis}.min", 1.0), number_of(f"bound.{axis}.max", 0.0)
         if low < high:  # the other way round they mean no bounds
-            kept &= ~((values < low) | (values > high))
-    if not kept.all():
-        notes.append(f"{np.count_nonzero(~kept)} points outside the file's bounds")
-        y, z, lines = y[kept], z[kept], [n for n, keep in zip(lines, kept, strict=True) if keep]
+            in_bounds &= ~((values < low) | (values > high))
+    if not in_bounds.all():
+        notes.append(f"{np.count_nonzero(~in_bounds)} points outside the file's bounds")
+        y, z = y[in_bounds], z[in_bounds]
+        lines = [number for number, good in zip(lines, in_bounds, strict=True) if good]
     for axis in ("y", "z"):
         if number_of(f"mirror.{axis}") == 1.0:
             y, z = (-y, z) if axis == "y" else (y, -z)
-    with np.errstate(over="ignore"):  # `profile_reader` finds what is not finite
+    with np.errstate(over="ignore"):  # `reader` finds numbers that are not finite
         y, z = y * (1000.0 / per_metre), z * (1000.0 / per_metre)
     return RawPoints(SIMPACK, kinds.get(kind), y, z, lines, header, tuple(notes))

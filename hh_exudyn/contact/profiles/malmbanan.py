@@ -1,8 +1,8 @@
-"""Stand-ins for the profiles of the Malmbanan line, whose drawings are not public.
+"""Stand-ins for the profiles of the Malmbanan line; the drawings are not public.
 
 EVERY NUMBER HERE IS ASSUMED, chosen so that what Hossein-Nia (thesis, KTH 2018, section 1.1.4 and Table 1-8)
 says of the profiles holds; nothing else is known of them. A wheel is a chain of arcs and straights with
-common tangents, as drawings are; a rail is a 60E1 whose gauge corner is ground off by a smooth depth.
+common tangents, as drawings are; a rail is a 60E1 with a gauge corner ground off by a smooth depth.
 
 ==============  =======================================================================================
 ``WP4_like``    wagon wheel: flange 26.89 mm thick, 29.08 mm high, qR 10.07 mm (Table 1-8, new wheel)
@@ -88,8 +88,8 @@ def line_wheel_coordinates(name: str) -> tuple[FloatArray, FloatArray]:
 
 
 def _misfit(wheel: _Wheel, cone_end: float, face: float, shoulder_radius: float) -> list[float]:
-    """What Sd, Sh and qR of a wheel lack, for an end of the field cone, a length of the flange's face
-    and a radius of its shoulder [mm]."""
+    """Missing millimetres of Sd, Sh and qR of a wheel, for an end of the field cone, a length of the
+    flange's face and a radius of its shoulder [mm]."""
     y, z = _wheel_line(wheel, cone_end, face, shoulder_radius)
     front = slice(int(np.searchsorted(y, 0.0)), int(np.argmin(z)) + 1)
     height = -float(z.min())

@@ -1,4 +1,4 @@
-"""What a gauge reads from a profile: Sh, Sd, qR, flange angle, hollow tread; wear of a rail head.
+"""Measures of a profile, as a gauge reads them: Sh, Sd, qR, flange angle, hollow tread; wear of a rail head.
 
 Wheel measures as in EN 15313 and UIC 510-2, from the running circle 70 mm from the flange back (the lengths
 of 70, 10 and 2 mm are MiniProf's default too, greenwood.dk/miniprofstandardcalc.php, read 2026):

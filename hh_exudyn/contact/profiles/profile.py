@@ -1,4 +1,4 @@
-"""A wheel or rail profile as a line z(y) in side coordinates, and what every such line must fulfil."""
+"""A wheel or rail profile as a line z(y) in side coordinates, and the conditions on every such line."""
 
 from dataclasses import dataclass
 
@@ -8,11 +8,11 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.conventions import GAUGE_MEASURING_DEPTH
 
 MIN_POINTS = 20
-# What contact needs. A wheel: from the outer tread to the flange tip; a rail: from the gauge point to beyond
+# Range of contact. A wheel: from the outer tread to the flange tip; a rail: from the gauge point to beyond
 # its axis. The flange tip region begins where the flange is 24 mm high: 4 mm below a new S1002's tip.
 _WHEEL_FIELD_SIDE = -0.020  # m
 _WHEEL_FLANGE_DEPTH = -0.024  # m
-_WHEEL_FIELD_DEPTH = -0.010  # m, what a hollow tread could reach; a rail or a mirrored wheel falls lower
+_WHEEL_FIELD_DEPTH = -0.010  # m, deeper than any hollow tread; a rail or a mirrored wheel falls lower
 _FARTHEST = 2.0  # m from the origin, wherever a rail's file has it
 _RAIL_COVER = 0.055  # m from the gauge point to the field side: 19 mm beyond the axis of a 60E1
 
@@ -24,7 +24,7 @@ class Profile:
     Attributes
     ----------
     name : str
-        What it is called in cases and plots.
+        Its name in cases and plots.
     kind : str
         ``"wheel"`` or ``"rail"``.
     y, z : FloatArray
@@ -35,7 +35,7 @@ class Profile:
     ------
     ValueError
         Where a number is not finite or in millimetres, y does not increase, there are fewer than 20 points,
-        or the profile does not cover what contact needs (wheel: from y = -20 mm to a flange at least 24 mm
+        or the profile does not cover the range of contact (wheel: from y = -20 mm to a flange at least 24 mm
         high; rail: the gauge point 14 mm below its top and 55 mm from there to the field side).
     """
 

@@ -1,8 +1,8 @@
 """Profile files of any known format as profiles in side coordinates, cleaned, and smooth where they were not.
 
-The steps of `read_profile`: points in the file's axes (`profile_formats`), units and gaps, order, duplicates
-(`profile_cleaning`), wheel or rail, side coordinates (`profile_axes`), smoothing (`profile_smoothing`), loops
-and overhangs (`profile_cleaning`), cover (`profile_line`).
+The steps of `read_profile`: points in the file's axes (`formats`), units and gaps, order, duplicates
+(`cleaning`), wheel or rail, side coordinates (`axes`), smoothing (`smoothing`), loops
+and overhangs (`cleaning`), cover (`profile`).
 """
 
 from dataclasses import dataclass, field
@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from hh_exudyn.arrays import FloatArray
+from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.profiles.axes import PROTRUSION, protrusion_is_down, side_coordinates, tread
 from hh_exudyn.contact.profiles.cleaning import distinct, file_order, single_valued
 from hh_exudyn.contact.profiles.formats import RawPoints, read_points
@@ -36,12 +36,12 @@ _LEAST_DEVIATION, _LARGEST_DEVIATION = 1e-6, 0.5e-3  # m
 
 @dataclass(frozen=True)
 class ProfileReport:
-    """What reading a file did.
+    """Record of the reading of a file.
 
     Attributes
     ----------
     format, kind : str
-        As found; see `profile_formats.RawPoints`.
+        As found; see `formats.RawPoints`.
     points_read, points_dropped : int
         In the file, and left out of it (duplicates; loops and overhangs where it was not smoothed).
     mirrored, upside_down : bool
@@ -49,13 +49,13 @@ class ProfileReport:
     shift_y, shift_z : float
         Added after that [m].
     ripple, ripple_left : float
-        `profile_smoothing.curvature_ripple` before and after [1/m].
+        `smoothing.curvature_ripple` before and after [1/m].
     smoothing : Smoothed or None
         Cut-off and deviations where the profile was smoothed.
     header : dict
-        What the file says of itself, key to text.
+        Header of the file, key to text.
     notes : tuple of str
-        What was done and why, in words.
+        Changes and their reasons, in words.
     """
 
     format: str
@@ -86,7 +86,7 @@ def read_wheel_profile(path: str | Path) -> Profile:
 
     Two columns in side coordinates (y = 0 at the running circle, 70 mm from the flange back, positive to the
     flange; z upwards, so the flange lies at negative z) are taken as they are; ``#`` starts a comment. For
-    the others see `profile_formats`.
+    the others see `formats`.
 
     Raises
     ------
@@ -101,7 +101,7 @@ def read_rail_profile(path: str | Path, *, mirrored: bool = False) -> Profile:
 
     Two columns in side coordinates (y positive towards the track centre, z upwards, inclination included)
     are taken as they are, with any lateral origin; ``#`` starts a comment. For the others, and for
-    `mirrored`, see `profile_axes`.
+    `mirrored`, see `axes`.
 
     Raises
     ------
@@ -120,30 +120,30 @@ def read_profile(
     smoothing: str = "auto",
     deviation: float = DEVIATION_ALLOWED,
 ) -> ReadProfile:
-    """Read a profile file of any known format, and report what was done to it.
+    """Read a profile file of any known format, with a report of all changes.
 
     Parameters
     ----------
     path : str or Path
         The file; its stem names the profile.
     kind : str or None
-        ``"wheel"``, ``"rail"``, or None: what the file says, else by its width (rails up to 90 mm).
+        ``"wheel"``, ``"rail"``, or None: by the header, else by its width (rails up to 90 mm).
     mirrored : bool
-        For a rail whose two sides reach 14 mm down: the gauge side is not where the format has it by habit.
+        For a rail whose two sides reach 14 mm down: the gauge side is opposite to the format's usual one.
     flange_back : float or None
         For a wheel: where the file's lateral axis has the flange back [m].
     smoothing : str
-        ``"auto"``: where the curvature ripples (`profile_smoothing`); ``"always"``; ``"never"``.
+        ``"auto"``: where the curvature ripples (`smoothing`); ``"always"``; ``"never"``.
     deviation : float
-        How far from the points smoothing may go [m], 1 um .. 0.5 mm. What waves more than that stays: a
-        worn or dirty flange may need more.
+        How far from the points smoothing may go [m], 1 um .. 0.5 mm. Larger waves stay: a worn or dirty
+        flange may need more.
 
     Raises
     ------
     ValueError
         A file that is missing, empty, binary, cut off, in another unit than millimetres, of the wrong kind,
         with numbers that are not finite or lines that are no points, with gaps of more than 10 mm, or that
-        does not cover what contact needs. The message names file, line, value and what is allowed.
+        does not cover the range of contact. The message names file, line, value and range.
     OSError
         The file may not be read.
     """
@@ -154,31 +154,27 @@ def read_profile(
     notes = list(raw.notes)
     y, z = _ordered(path, raw, notes)
     kind = _kind(path, raw, kind, y, z)
-    kept = distinct(y, z)
-    if dropped := len(y) - len(kept):
-        notes.append(f"{dropped} duplicates left out")
-    if len(kept) < MIN_POINTS:
-        raise ValueError(f"profile {path}: {len(kept)} different points, at least {MIN_POINTS} needed")
-    axes = side_coordinates(path, kind, raw.format, y[kept], z[kept], mirrored, flange_back)
+    different = _distinct(path, y, z, notes)
+    dropped = len(y) - len(different)
+    axes = side_coordinates(path, kind, raw.format, y[different], z[different], mirrored, flange_back)
     y, z = axes.y, axes.z
-
-    ripple = ripple_left = curvature_ripple(y, z)
     smoothed = None
+    ripple = ripple_left = curvature_ripple(y, z)
     if smoothing == "always" or (smoothing == "auto" and ripple > RIPPLE_ALLOWED):
         smoothed = smooth(y, z, deviation)
         y, z = smoothed.y, smoothed.z
         ripple_left = curvature_ripple(y, z)
         notes.append(_in_words(smoothed, ripple, ripple_left))
-    kept, loops, overhangs = single_valued(y, z, _anchor(kind, y, z))
+    single, loops, overhangs = single_valued(y, z, _anchor(kind, y, z))
     if loops:
         notes.append(f"{loops} points in loops left out")
     if overhangs:
         notes.append(f"{overhangs} points of overhangs cut off")
-    y, z = y[kept], z[kept]
-    check_points(f"{kind} profile {path}", "point", list(range(1, len(y) + 1)), y, z)
+    y, z, name = y[single], z[single], f"{kind} profile {path}"
+    check_points(name, "point", list(range(1, len(y) + 1)), y, z)
     shift_z = -float(np.interp(0.0, y, z)) if kind == "wheel" else -float(z.max())
     z = z + shift_z
-    check_cover(f"{kind} profile {path}", kind, y, z)
+    check_cover(name, kind, y, z)
     report = ProfileReport(
         format=raw.format,
         kind=kind,
@@ -223,13 +219,23 @@ def _ordered(path: Path, raw: RawPoints, notes: list[str]) -> tuple[FloatArray, 
     return y, z
 
 
+def _distinct(path: Path, y: FloatArray, z: FloatArray, notes: list[str]) -> IntArray:
+    """The points that differ from the one before, by index; ValueError where too few are left."""
+    different = distinct(y, z)
+    if dropped := len(y) - len(different):
+        notes.append(f"{dropped} duplicates left out")
+    if len(different) < MIN_POINTS:
+        raise ValueError(f"profile {path}: {len(different)} different points, at least {MIN_POINTS} needed")
+    return different
+
+
 def _anchor(kind: str, y: FloatArray, z: FloatArray) -> int:
     """The point that surely belongs to the profile: at the running circle, or the top of a rail."""
     return int(np.argmin(np.hypot(y, z - tread(y, z)))) if kind == "wheel" else int(np.argmax(z))
 
 
 def _in_words(smoothed: Smoothed, ripple: float, ripple_left: float) -> str:
-    """What smoothing did."""
+    """Figures of the smoothing, in words."""
     return (
         f"smoothed: curvature ripple {ripple:.3g} 1/m, left {ripple_left:.3g} 1/m; "
         f"cut-off {1e3 * smoothed.cut_off[0]:.2g} .. {1e3 * smoothed.cut_off[1]:.2g} mm; points lie "

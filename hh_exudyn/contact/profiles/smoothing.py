@@ -1,7 +1,7 @@
 """Measured profiles: how noisy their curvature is, and smoothing that stays within 0.02 mm of them.
 
 Hertz lives on curvatures, and white noise of 5 um at the 0.3 mm spacing of a MiniProf makes a curvature of
-some 100 1/m on a tread whose own is 3. The rule:
+some 100 1/m on a tread with 3 of its own. The rule:
 
 * A profile is left as it is unless its curvature ripples: the median, along the profile, of the part of its
   curvature in waves of 1.5 to 5 mm exceeds `RIPPLE_ALLOWED` = 1.5 1/m, half that of a crown of R300.
@@ -10,8 +10,8 @@ some 100 1/m on a tread whose own is 3. The rule:
 
       integral (u - x)^2 ds + integral (L/2 pi)^6 (d3u/ds3)^2 ds
 
-  with x the measured and u the smooth curve. A wave of length l keeps 1/(1 + (L/l)^6) of its amplitude: L is
-  the wavelength of half gain, and an arc of radius R keeps its radius to (L/2 pi R)^6, 3e-6 for 13 mm.
+  with x the measured and u the smooth curve. A wave of length l has the gain 1/(1 + (L/l)^6): L is the
+  wavelength of half gain, and the radius R of an arc changes by its (L/2 pi R)^6-fold, 3e-6 for 13 mm.
 * L is, place by place, the longest up to `LONGEST_CUT_OFF` = 10 mm (about a contact patch) for which the
   curve stays within `DEVIATION_ALLOWED` = 0.02 mm of the points, taken as means over 1 mm of arc length
   (four points of a MiniProf): so the scatter of single points does not count as shape, but anything wider
@@ -41,11 +41,11 @@ GRID = 0.1e-3  # m of arc length, spacing of the smooth points
 _SHORTEST_CUT_OFF = 0.3e-3  # m, about the spacing of measured points: follows them
 _AVERAGING = 1e-3  # m
 _RIPPLE_BAND = 1.5e-3, 5e-3  # m
-_STEEPEST = 5.0  # |dz/dy| up to which curvature matters, as `profile_spline.MAX_SLOPE`
+_STEEPEST = 5.0  # |dz/dy| up to which curvature matters, as `spline.MAX_SLOPE`
 _SHORTENING = 0.9  # of the cut-off in each round
-_SHORTENED_WIDTH = 6e-3  # m, around a place that lies too far off: wider keeps more waves beside it
+_SHORTENED_WIDTH = 6e-3  # m, around a place that lies too far off: wider leaves more waves beside it
 _ROUNDS = 100
-_DEVIATION_GOAL = 0.7  # of what is allowed: noise hides some of the deviation from the true shape
+_DEVIATION_GOAL = 0.7  # of the allowed deviation: noise hides some of the deviation from the true shape
 
 
 @dataclass(frozen=True)

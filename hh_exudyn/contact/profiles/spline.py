@@ -25,10 +25,10 @@ _MAX_SMOOTHING = 5e-3  # m
 def spline_table(profile: Profile, step: float = 0.25e-3, smoothing: float = 0.5e-3) -> SplineTable:
     """A profile as a C2 cubic spline on a uniform grid of y.
 
-    The rule of smoothing: along the arc length, the direction angle of the profile (whose derivative is the
+    The rule of smoothing: along the arc length, the direction angle of the profile (its derivative is the
     curvature) is convolved with 2 g - g*g, g a Gaussian of standard deviation `smoothing`; the curve is
     integrated from it again and shifted so that it meets the original at the running circle or the rail top.
-    Arcs keep their radius. A Gaussian alone would move the curve sideways by ``dk smoothing^2 / 2`` from
+    The radius of arcs stays. A Gaussian alone would move the curve sideways by ``dk smoothing^2 / 2`` from
     where the curvature jumps by dk on (10 um at S1002's flange); 2 g - g*g has no second moment, so the
     curve stays (within 4 um in z), at the price of an overshoot of some per cent of dk.
 
@@ -82,7 +82,7 @@ def spline_table(profile: Profile, step: float = 0.25e-3, smoothing: float = 0.5
 
 
 def uniform_table(start: float, step: float, z: FloatArray, second: FloatArray) -> SplineTable:
-    """The table with what follows from heights and second derivatives."""
+    """The table, its redundant fields from heights and second derivatives."""
     slope = np.empty_like(z)
     slope[:-1] = np.diff(z) / step - step / 6.0 * (2.0 * second[:-1] + second[1:])
     slope[-1] = slope[-2] + 0.5 * step * (second[-2] + second[-1])

@@ -33,7 +33,7 @@ def write_profile(profile: Profile, path: str | Path, format: str = TWO_COLUMN) 
 
     Notes
     -----
-    `profile_reader.read_profile` gives the same points back to a nanometre, if the profile is smooth enough
+    `reader.read_profile` gives the same points back to a nanometre, if the profile is smooth enough
     to be left as it is (any profile that the reader has smoothed is); else it smooths them.
     """
     if format not in WRITTEN_FORMATS:

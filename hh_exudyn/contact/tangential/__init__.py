@@ -2,7 +2,7 @@
 
 ==================  =================================================================================
 `api`               `creep_force` and `traction_field`: one signature for all theories
-`theories`          the theories by number, and the kernels that call them
+`registry`          a record of every theory, and the kernels that call them
 `kalker`            creep coefficients of the linear theory
 `linear`            Kalker's linear theory
 `carter`            line contact, 1926
@@ -25,6 +25,6 @@ from hh_exudyn.contact.tangential.api import (
     creep_force,
     traction_field,
 )
-from hh_exudyn.contact.tangential.theories import THEORIES
+from hh_exudyn.contact.tangential.registry import THEORIES
 
 __all__ = ["THEORIES", "CreepForce", "TractionField", "cell_areas", "creep_force", "traction_field"]

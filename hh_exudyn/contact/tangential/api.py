@@ -9,7 +9,7 @@ cells of equal length from its own trailing to its own leading edge, so that the
 a sqrt(1 - (y/b)^2), and the area of `cell_areas`. Forces use the same cells, but the pressure's integral
 is exact in them; the sum of q times area meets the force within about 1 % at 20 x 20 cells.
 
-Which theories there are: `theories`. How far each is from the exact solution: `validation`.
+Which theories there are: `registry`. How far each is from the exact solution: `validation`.
 """
 
 import math
@@ -19,7 +19,7 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import STEEL, Material
-from hh_exudyn.contact.tangential.theories import FIELD_THEORIES, THEORIES, field_kernel, force_kernel
+from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel, force_kernel
 from hh_exudyn.contact.types import Fields, RollingPatch
 
 _MOST_CELLS = 2000  # each way: more than any stress field needs, and still a second
@@ -128,6 +128,8 @@ def creep_force(
 ) -> CreepForce:
     """Creep force and spin moment on the wheel.
 
+    Ten arguments: the seven numbers that define a rolling ellipse stand in the order of the literature.
+
     Parameters
     ----------
     theory : str
@@ -177,7 +179,7 @@ def traction_field(
 ) -> TractionField:
     """Pressure, traction on the wheel and slip over the patch.
 
-    Parameters and errors as `creep_force`; the grid has cells[0] cells along x and cells[1] strips.
+    Arguments and errors as `creep_force`, ten too; the grid has cells[0] cells along x, cells[1] strips.
 
     Returns
     -------

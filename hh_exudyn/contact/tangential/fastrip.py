@@ -62,7 +62,7 @@ from hh_exudyn.contact.tangential.strips import (
 from hh_exudyn.contact.types import Fields, Memory, RollingPatch
 from hh_exudyn.kernel import kernel, memory, shaped
 
-_TINY = 1e-300  # keeps 0/0 from happening; far below every square that occurs [-]
+_TINY = 1e-300  # against 0/0; far below every square that occurs [-]
 _XI, _ELLIPSE, _WORK, _POWER = 0, 1, 2, 3  # rows of a table over the cells of a strip
 _TABLE_ROWS, _CELLS = 4, 64
 _TABLE_SIZE = _TABLE_ROWS * _CELLS

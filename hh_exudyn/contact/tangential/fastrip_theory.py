@@ -31,13 +31,16 @@ from hh_exudyn.contact.tangential.strips import (
 from hh_exudyn.contact.types import Memory, RollingPatch
 from hh_exudyn.kernel import inlined_kernel, kernel, shaped
 
-_TINY = 1e-300  # keeps 0/0 from happening; far below every square that occurs [-]
+_TINY = 1e-300  # against 0/0; far below every square that occurs [-]
 _FADES = 0.5  # where the stick zone begins to give way, 1 being where it breaks Coulomb's law [-]
 
 
 class Rolling(NamedTuple):
-    """What the strips of a patch share. Strip theory's creepages become numbers over a strip's pressure p,
-    FASTSIM's rigid slip over p^2/l with the strip's half length l."""
+    """Quantities common to the strips of a patch.
+
+    Strip theory's creepages become numbers over a strip's pressure p, FASTSIM's rigid slip over p^2/l with
+    the strip's half length l.
+    """
 
     xi: float  # [Pa]
     eta: float  # [Pa]

@@ -34,7 +34,7 @@ from hh_exudyn.contact.tangential.strips import (
 from hh_exudyn.contact.types import Memory, RollingPatch
 from hh_exudyn.kernel import inlined_kernel, kernel, shaped
 
-_TINY = 1e-300  # keeps 0/0 from happening
+_TINY = 1e-300  # against 0/0
 _MORE_THAN_ONE = 1.0 + 1e-12
 
 

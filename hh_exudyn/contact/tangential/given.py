@@ -2,7 +2,7 @@
 
 A reference model of hunting (suspended wheelset, Cooperrider's bogie) has a rolling radius r0 + conicity * y
 and creep forces F_x = -f11 nu_x, F_y = -f22 nu_y, nothing else. So the wheels here are cylinders on crowned
-rails, whose rolling radius alone grows with the place of the contact on the wheel,
+rails, of which the rolling radius alone grows with the place of the contact on the wheel,
 
     r = r0 + conicity * y_wheel,                                                                     (1)
 
@@ -20,7 +20,7 @@ import numpy as np
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.rail_tables import with_origin
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.tangential.theories import GIVEN
+from hh_exudyn.contact.tangential.registry import GIVEN
 from hh_exudyn.contact.types import GivenCreep, WheelRailModel
 from hh_exudyn.contact.wheel_rail import wheel_rail_model
 from hh_exudyn.conventions import FLANGE_BACK_TO_RUNNING_CIRCLE, NOMINAL_GAUGE

@@ -46,7 +46,7 @@ _TABLE = np.stack((_A_SHORTER, _A_LONGER))
 _TABLE_END = 0.1  # the table's smallest ratio of the semi-axes [-]
 _ASYMPTOTE_START = 0.07  # below it the asymptotes alone hold [-]
 _LN4 = math.log(4.0)
-_SMALLEST_RATIO = 1e-6  # keeps the logarithm of the asymptotes finite for a vanishing axis [-]
+_SMALLEST_RATIO = 1e-6  # below it the logarithm of the asymptotes would be infinite [-]
 
 
 @kernel

@@ -8,7 +8,7 @@ The traction is assumed to grow linearly from the leading edge (gradient from Ka
 ellipsoidal bound; its sum is a closed formula of one scaled creepage. Under longitudinal or lateral creepage
 alone that is FASTSIM with the elliptic bound, summed in closed form (they agree to 1e-5). Spin acts through
 the creepage at the patch's edge, nu_y + a phi, and through a lateral force of its own with a factor for a/b.
-Known properties of the formulas, kept as published:
+Known properties of the published formulas:
 
 * the slopes at zero creepage are Kalker's for longitudinal creepage alone, lateral creepage with spin, and
   spin alone; longitudinal and lateral creepage together share one mean of C11 and C22, and longitudinal
@@ -21,8 +21,8 @@ condition, the other the sign, the wrong way round).
 """
 
 import math
+from dataclasses import dataclass
 
-from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.tangential.kalker import coefficients
 from hh_exudyn.contact.types import RollingPatch
 from hh_exudyn.kernel import kernel
@@ -30,7 +30,7 @@ from hh_exudyn.kernel import kernel
 
 @kernel
 def force(patch: RollingPatch, k_adhesion: float, k_slip: float) -> tuple[float, float, float]:
-    """Creep forces on the wheel, (F_x, F_y, 0); the factors as in `polach_force`."""
+    """Creep forces on the wheel, (F_x, F_y, 0); the factors as in `Contamination`."""
     a, b, nu_x, nu_y = patch.a, patch.b, patch.nu_x, patch.nu_y
     spin = a * patch.phi
     at_edge = nu_y + spin if abs(nu_y + spin) > abs(nu_y) else nu_y  # lateral creepage corrected for spin
@@ -60,35 +60,51 @@ def force(patch: RollingPatch, k_adhesion: float, k_slip: float) -> tuple[float,
     return along, across, 0.0
 
 
-def polach_force(
-    a: float,
-    b: float,
-    normal_force: float,
-    nu_x: float,
-    nu_y: float,
-    phi: float,
-    friction: float,
-    material: Material = STEEL,
-    *,
-    k_adhesion: float = 1.0,
-    k_slip: float = 1.0,
-    friction_ratio: float = 1.0,
-    friction_decrease: float = 0.0,
-    speed: float = 0.0,
-) -> tuple[float, float]:
-    """Creep forces of a contaminated or strongly slipping contact (Polach 2005).
+@dataclass(frozen=True)
+class Contamination:
+    """The parameters of Polach (2005) for a contaminated or strongly slipping contact.
 
-    Parameters
+    Attributes
     ----------
-    a, b, normal_force, nu_x, nu_y, phi, friction, material
-        As in `tangential.creep_force`; `friction` is the greatest coefficient, that of no slip.
     k_adhesion, k_slip : float
         Reduction factors k_A and k_S of the stiffness in the area of adhesion and of slip [-],
         0 < k_slip <= k_adhesion <= 1; 1 is a clean surface.
     friction_ratio : float
-        Friction coefficient at infinite slip velocity over `friction`, A of the paper [-], 0..1.
+        Friction coefficient at infinite slip velocity over that at none, A of the paper [-], 0..1.
     friction_decrease : float
         Coefficient B of the exponential decrease of friction over the slip velocity [s/m], >= 0.
+
+    Raises
+    ------
+    ValueError
+        A parameter out of its range.
+    """
+
+    k_adhesion: float = 1.0
+    k_slip: float = 1.0
+    friction_ratio: float = 1.0
+    friction_decrease: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not 0.0 < self.k_slip <= self.k_adhesion <= 1.0:
+            raise ValueError(
+                f"k_slip = {self.k_slip}, k_adhesion = {self.k_adhesion} [-]; "
+                "0 < k_slip <= k_adhesion <= 1 is needed"
+            )
+        if not 0.0 <= self.friction_ratio <= 1.0:
+            raise ValueError(f"friction_ratio = {self.friction_ratio} [-]; it must lie in 0..1")
+        _check_not_negative("friction_decrease", self.friction_decrease, "s/m")
+
+
+def polach_force(patch: RollingPatch, surface: Contamination, speed: float = 0.0) -> tuple[float, float]:
+    """Creep forces of a contaminated or strongly slipping contact (Polach 2005).
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Its `friction` is the greatest coefficient, that of no slip, > 0; semi-axes and normal force > 0.
+    surface : Contamination
+        Parameters of the surface.
     speed : float
         Speed V that makes creepages slip velocities [m/s], >= 0.
 
@@ -102,28 +118,24 @@ def polach_force(
     ValueError
         If an argument is out of range.
     """
-    for name, value, unit in (("a", a, "m"), ("b", b, "m"), ("normal_force", normal_force, "N")):
+    for name, unit in (("a", "m"), ("b", "m"), ("normal_force", "N"), ("friction", "-")):
+        value = getattr(patch, name)
         if not (math.isfinite(value) and value > 0.0):
             raise ValueError(f"{name} = {value} {unit}; it must be finite and > 0 {unit}")
-    for name, value, unit in (("nu_x", nu_x, "[-]"), ("nu_y", nu_y, "[-]"), ("phi", phi, "1/m")):
+    for name, unit in (("nu_x", "[-]"), ("nu_y", "[-]"), ("phi", "1/m")):
+        value = getattr(patch, name)
         if not math.isfinite(value):
             raise ValueError(f"{name} = {value} {unit}; it must be finite")
-    if not (math.isfinite(friction) and friction > 0.0):
-        raise ValueError(f"friction = {friction} [-]; it must be finite and > 0")
-    if not 0.0 < k_slip <= k_adhesion <= 1.0:
-        raise ValueError(
-            f"k_slip = {k_slip}, k_adhesion = {k_adhesion} [-]; 0 < k_slip <= k_adhesion <= 1 is needed"
-        )
-    if not 0.0 <= friction_ratio <= 1.0:
-        raise ValueError(f"friction_ratio = {friction_ratio} [-]; it must lie in 0..1")
-    for name, value, unit in (("friction_decrease", friction_decrease, "s/m"), ("speed", speed, "m/s")):
-        if not (math.isfinite(value) and value >= 0.0):
-            raise ValueError(f"{name} = {value} {unit}; it must be finite and >= 0 {unit}")
-    slip_velocity = math.hypot(nu_x, nu_y) * speed
-    falling = (1.0 - friction_ratio) * math.exp(-friction_decrease * slip_velocity) + friction_ratio
-    patch = RollingPatch(
-        float(a), float(b), float(normal_force), float(nu_x), float(nu_y), float(phi), friction * falling,
-        material.shear_modulus, material.poisson_ratio,
-    )  # fmt: skip
-    force_x, force_y, _ = force(patch, float(k_adhesion), float(k_slip))
+    _check_not_negative("speed", speed, "m/s")
+    slip_velocity = math.hypot(patch.nu_x, patch.nu_y) * speed
+    ratio = surface.friction_ratio
+    falling = (1.0 - ratio) * math.exp(-surface.friction_decrease * slip_velocity) + ratio
+    reduced = RollingPatch._make(float(value) for value in patch._replace(friction=patch.friction * falling))
+    force_x, force_y, _ = force(reduced, float(surface.k_adhesion), float(surface.k_slip))
     return float(force_x), float(force_y)
+
+
+def _check_not_negative(name: str, value: float, unit: str) -> None:
+    """ValueError for a number that is negative, infinite or NaN."""
+    if not (math.isfinite(value) and value >= 0.0):
+        raise ValueError(f"{name} = {value} {unit}; it must be finite and >= 0 {unit}")

@@ -22,11 +22,11 @@ from hh_exudyn.kernel import inlined_kernel, kernel, shaped
 # columns of a strip, and first rows of a block's state
 Y, WIDTH, HALF_LENGTH, PRESSURE = 0, 1, 2, 3
 STRIP_COLUMNS = 4
-# what `fastsim_march` carries along: scaled rigid slip per cell (its lateral part is w_y + spin xi),
+# state of `fastsim_march`: scaled rigid slip per cell (its lateral part is w_y + spin xi),
 # traction, direction, whether it slips, sum of the directions at the last cell's two ends, first cell
 W_X, W_Y, SPIN, Q_X, Q_Y, T_X, T_Y, SLIPS, BOTH_X, BOTH_Y, FIRST = 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14
 SUM_X, SUM_Y, SUM_M = 15, 16, 17  # sums over the cells of a strip
-PART, KAPPA, LAMBDA, PRIME, FULL = 18, 19, 20, 21, 22  # what `fastrip_theory.strip` gives
+PART, KAPPA, LAMBDA, PRIME, FULL = 18, 19, 20, 21, 22  # results of `fastrip_theory.strip`
 END_X, END_Y = 18, 19  # instead of those: mean traction of the last cell in `fastsim`
 ROWS = 23
 

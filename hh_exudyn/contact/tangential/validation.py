@@ -21,7 +21,7 @@ from scipy.interpolate import RegularGridInterpolator
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import Material
 from hh_exudyn.contact.tangential.api import cell_areas, creep_force, traction_field
-from hh_exudyn.contact.tangential.theories import FIELD_THEORIES
+from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES
 
 CELLS = (50, 50)  # cells along and strips across that the theories are run with
 _DATA = files("hh_exudyn") / "data" / "validation"
@@ -43,7 +43,7 @@ class RollingCase:
 
     @property
     def arguments(self) -> tuple[float, float, float, float, float, float, float, Material]:
-        """What `creep_force` and `traction_field` take after the theory."""
+        """Arguments of `creep_force` and `traction_field` after the theory."""
         return (
             self.a, self.b, self.normal_force, self.nu_x, self.nu_y, self.phi, self.friction, self.material,
         )  # fmt: skip
@@ -53,7 +53,7 @@ class RollingCase:
 class ExactForce:
     """Exact creep force on the wheel, over friction * normal force (moment: times sqrt(a b) more).
 
-    `others` holds what the reference program's own simplified theories give, (F_x, F_y) by column name.
+    `others` holds the forces of the reference program's own simplified theories, (F_x, F_y) by column name.
     """
 
     case: RollingCase
@@ -199,18 +199,15 @@ def _small(case: RollingCase) -> bool:
     return math.hypot(linear.x, linear.y) <= 0.1 * case.friction * case.normal_force
 
 
-_ROWS: tuple[tuple[str, str, Callable[[RollingCase], bool]], ...] = (
-    ("carter", "longitudinal only", _longitudinal),  # it knows no other creepage
-    ("linear", "force <= 0.1 mu N", _small),  # it knows no friction limit
-    ("strip", "all", _any),
-    ("strip", "a/b = 0.2, no spin", _slender),  # what strip theory is made for
-    ("fastsim", "all", _any),
-    ("fastsim_single", "all", _any),
-    ("fastsim_elliptic", "all", _any),
-    ("fastrip", "all", _any),
-    ("polach", "all", _any),
-    ("polach", "no spin", _no_spin),
-)
+_Wanted = tuple[str, Callable[[RollingCase], bool]]
+_ALL: _Wanted = ("all", _any)
+_COMPARED: dict[str, tuple[_Wanted, ...]] = {  # the cases of a theory that is not compared with all alone
+    "carter": (("longitudinal only", _longitudinal),),  # it knows no other creepage
+    "linear": (("force <= 0.1 mu N", _small),),  # it knows no friction limit
+    "strip": (_ALL, ("a/b = 0.2, no spin", _slender)),  # the range that strip theory is made for
+    "polach": (_ALL, ("no spin", _no_spin)),
+}
+_ROWS = [(theory, *wanted) for theory in THEORIES for wanted in _COMPARED.get(theory, (_ALL,))]
 
 
 def contact_table(cells: tuple[int, int] = CELLS) -> list[TheoryErrors]:

@@ -10,7 +10,8 @@ from hh_exudyn.contact.friction import constant_friction
 from hh_exudyn.contact.geometry.rail_tables import RailCourse, rail_at, rail_tables, surface_slope
 from hh_exudyn.contact.profile import Profile, gauge_point, rail_profile, wheel_profile
 from hh_exudyn.contact.profiles.spline import spline_evaluate, spline_table, uniform_table
-from hh_exudyn.contact.types import Patch, SplineTable, WheelRailModel, WheelsetMotion
+from hh_exudyn.contact.state import Patch
+from hh_exudyn.contact.types import SplineTable, WheelRailModel, WheelsetMotion
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 
 R0, GAUGE, CHANGE = 0.46, 1.445, 100.0

@@ -8,7 +8,7 @@ from strip_bench import CURVATURES, NU, G, hertz_of, parabolic_pair, solve_one
 
 from hh_exudyn.contact.normal.analyn import strip
 from hh_exudyn.contact.normal.hertz import normal_contact
-from hh_exudyn.contact.normal.non_elliptic import ANALYN
+from hh_exudyn.contact.normal.registry import ANALYN
 from hh_exudyn.contact.tangential.strips import HALF_LENGTH, PRESSURE, WIDTH, Y
 
 

@@ -16,7 +16,7 @@ from strip_bench import CURVATURES, NU, G, hertz_of, parabolic_pair, solve_one
 
 from hh_exudyn.contact.normal.hertz import normal_contact
 from hh_exudyn.contact.normal.kik_piotrowski import influence, strip
-from hh_exudyn.contact.normal.non_elliptic import KIK_PIOTROWSKI
+from hh_exudyn.contact.normal.registry import KIK_PIOTROWSKI
 from hh_exudyn.contact.tangential.strips import HALF_LENGTH, PRESSURE, Y
 
 

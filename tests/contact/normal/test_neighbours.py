@@ -10,7 +10,8 @@ from hh_exudyn.contact.geometry.rail_tables import rail_at
 from hh_exudyn.contact.geometry.search import APPROACH, CONTACT_COLUMNS, DEPTH, MAX_MINIMA, POINT, STIFFNESS
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, wheel_rail_pair
 from hh_exudyn.contact.normal.neighbours import find_patches
-from hh_exudyn.contact.normal.non_elliptic import NORMAL_THEORIES, minimum, patch_strips
+from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
+from hh_exudyn.contact.normal.registry import NORMAL_THEORIES
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
 from hh_exudyn.contact.tangential.strips import STRIP_COLUMNS
 from hh_exudyn.contact.wheel_rail import wheel_rail_model

@@ -7,9 +7,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.tangential.api import creep_force, traction_field
-from hh_exudyn.contact.tangential.polach import polach_force
+from hh_exudyn.contact.tangential.polach import Contamination, polach_force
 from hh_exudyn.contact.tangential.validation import exact_forces, force_error
+from hh_exudyn.contact.types import RollingPatch
 
 A, B, N, MU = 6e-3, 5e-3, 1e5, 0.35
 PURE = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 200.0), (0.0, 1.0, 200.0), (0.0, 1.0, -500.0)]
@@ -73,34 +75,31 @@ def test_the_force_of_spin_vanishes_where_spin_is_large() -> None:
     assert forces[3] / forces[2] == pytest.approx(1e-9, rel=1e-2)
 
 
+def rolling(nu_x: float, nu_y: float = 0.0, phi: float = 0.0) -> RollingPatch:
+    """A patch of steel."""
+    return RollingPatch(A, B, N, nu_x, nu_y, phi, MU, STEEL.shear_modulus, STEEL.poisson_ratio)
+
+
 def test_reduced_stiffness() -> None:
     """The slope at zero is (k_A + k_S)/2 of the clean surface's; full friction stays."""
-    clean = polach_force(A, B, N, 1e-8, 0.0, 0.0, MU)
-    wet = polach_force(A, B, N, 1e-8, 0.0, 0.0, MU, k_adhesion=0.3, k_slip=0.1)
-    assert wet[0] == pytest.approx(0.2 * clean[0], rel=1e-6)
-    far = polach_force(A, B, N, 50.0, 0.0, 0.0, MU, k_adhesion=0.3, k_slip=0.1)
-    assert far[0] == pytest.approx(-MU * N, rel=2e-3)
-    assert polach_force(A, B, N, 1e-3, 2e-3, 0.3, MU) == pytest.approx(
-        (
-            creep_force("polach", A, B, N, 1e-3, 2e-3, 0.3, MU).x,
-            creep_force("polach", A, B, N, 1e-3, 2e-3, 0.3, MU).y,
-        )
-    )
+    clean, wet = Contamination(), Contamination(k_adhesion=0.3, k_slip=0.1)
+    slope = polach_force(rolling(1e-8), wet)[0] / polach_force(rolling(1e-8), clean)[0]
+    assert slope == pytest.approx(0.2, rel=1e-6)
+    assert polach_force(rolling(50.0), wet)[0] == pytest.approx(-MU * N, rel=2e-3)
+    same = creep_force("polach", A, B, N, 1e-3, 2e-3, 0.3, MU)
+    assert polach_force(rolling(1e-3, 2e-3, 0.3), clean) == pytest.approx((same.x, same.y))
 
 
 def test_falling_friction_has_an_optimum() -> None:
     creepages = np.linspace(1e-4, 0.3, 600)
-    forces = [
-        -polach_force(
-            A, B, N, nu_x, 0.0, 0.0, MU, k_slip=0.4, friction_ratio=0.4, friction_decrease=0.6, speed=15.0
-        )[0]
-        for nu_x in creepages
-    ]
+    wet = Contamination(k_slip=0.4, friction_ratio=0.4, friction_decrease=0.6)
+    forces = [-polach_force(rolling(nu_x), wet, speed=15.0)[0] for nu_x in creepages]
     best = int(np.argmax(forces))
     assert 0 < best < 599
     assert max(forces) < MU * N
     assert forces[-1] < 0.8 * max(forces)
-    at_rest = polach_force(A, B, N, 5.0, 0.0, 0.0, MU, friction_ratio=0.4, friction_decrease=0.6, speed=15.0)
+    falling = Contamination(friction_ratio=0.4, friction_decrease=0.6)
+    at_rest = polach_force(rolling(5.0), falling, speed=15.0)
     assert at_rest[0] == pytest.approx(-0.4 * MU * N, rel=5e-3)  # friction of infinite slip velocity
 
 
@@ -134,6 +133,7 @@ def test_no_stress_field() -> None:
     ],
 )
 def test_bad_input_is_named(change: dict[str, float], name: str) -> None:
-    values = {"a": A, "b": B, "normal_force": N, "nu_x": 0.0, "nu_y": 0.0, "phi": 0.0, "friction": MU}
+    patch = {key: value for key, value in change.items() if key in RollingPatch._fields}
+    surface = {key: value for key, value in change.items() if key not in {*patch, "speed"}}
     with pytest.raises(ValueError, match=name):
-        polach_force(**(values | change))
+        polach_force(rolling(0.0)._replace(**patch), Contamination(**surface), speed=change.get("speed", 0.0))

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.tangential.api import cell_areas, creep_force, traction_field
-from hh_exudyn.contact.tangential.theories import FIELD_THEORIES, THEORIES, field_kernel, force_kernel
+from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel, force_kernel
 from hh_exudyn.contact.types import Fields, RollingPatch
 
 A, B, N, MU = 7.5e-3, 2.9e-3, 142668.0, 0.37

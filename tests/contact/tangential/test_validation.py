@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hh_exudyn.contact.tangential.api import cell_areas, creep_force
-from hh_exudyn.contact.tangential.theories import FIELD_THEORIES, THEORIES
+from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES
 from hh_exudyn.contact.tangential.validation import (
     COLUMNS,
     TheoryErrors,

@@ -7,7 +7,7 @@ from damage.material import ER7
 from damage.rcf.local import distributed_index, local_indices, strip_fatigue
 from damage.rcf.surface_index import surface_fatigue_index
 from hh_exudyn.contact.tangential.api import traction_field
-from hh_exudyn.contact.tangential.theories import THEORIES, field_kernel
+from hh_exudyn.contact.tangential.registry import THEORIES, field_kernel
 from hh_exudyn.contact.types import Fields, RollingPatch
 
 K = ER7.shear_yield

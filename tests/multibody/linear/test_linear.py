@@ -8,7 +8,7 @@ from scipy.integrate import quad
 
 from hh_exudyn.contact.geometry.rail_tables import with_origin
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.contact.tangential.theories import GIVEN
+from hh_exudyn.contact.tangential.registry import GIVEN
 from hh_exudyn.contact.types import GivenCreep
 from hh_exudyn.contact.wheel_rail import wheel_rail_model
 from hh_exudyn.conventions import FLANGE_BACK_TO_RUNNING_CIRCLE, NOMINAL_GAUGE

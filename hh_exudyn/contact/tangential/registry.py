@@ -1,17 +1,8 @@
-"""The tangential theories by number, and the two kernels that call the one asked for.
+"""The tangential theories: one record each, and the kernels that call the one asked for.
 
-==================  =========================================  =====  ======  ==============================
-theory              what it is                                 field  moment  what it leaves out
-==================  =========================================  =====  ======  ==============================
-`carter`            line contact, 1926                         yes    no      lateral creepage and spin
-`linear`            Kalker's linear theory, 1967               no     yes     friction limit
-`strip`             Haines and Ollerton 1963, Kalker 1967      yes    yes     b/a, large spin
-`fastsim`           Kalker 1982, three flexibilities           yes    yes
-`fastsim_single`    Kalker 1982, one weighted flexibility      yes    yes
-`fastsim_elliptic`  three flexibilities, Hertz pressure        yes    yes
-`fastrip`           Sichani, Enblom, Berg 2016                 yes    yes
-`polach`            Polach 1999, closed formulas               no     no
-==================  =========================================  =====  ======  ==============================
+A theory is a file of kernels with `force(patch, ...)` and, where it has one, `field(patch, fields)`; here a
+number, a record in `TANGENTIAL` and a line in `force_kernel`, `field_kernel` or `strips_kernel`. Case schema,
+command line, damage and the table of `validation` follow from the records.
 
 How good each is against the exact solution: `validation`. In every field friction dissipates the power of the
 creepages, summed over the cells (to rounding; where the slip zone is shorter than a cell, nothing slips); the
@@ -19,10 +10,12 @@ power of `force_kernel`'s own sums differs from it by 0.04 to 0.3 % of itself at
 """
 
 import math
+from typing import NamedTuple
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.tangential import carter, fastrip, fastsim, linear, polach, strip
 from hh_exudyn.contact.tangential.strips import scale_slip
-from hh_exudyn.contact.types import Fields, RollingPatch
+from hh_exudyn.contact.types import Fields, RollingPatch, Triple
 from hh_exudyn.kernel import inlined_kernel, kernel
 
 FASTSIM = 1
@@ -33,19 +26,62 @@ STRIP = 5
 POLACH = 6
 FASTSIM_SINGLE = 7
 FASTSIM_ELLIPTIC = 8
-GIVEN = 9  # coefficients of the model, not of the patch: no theory of `force_kernel`, see `given`
-THEORIES: dict[str, int] = {
-    "carter": CARTER,
-    "linear": LINEAR,
-    "strip": STRIP,
-    "fastsim": FASTSIM,
-    "fastsim_single": FASTSIM_SINGLE,
-    "fastsim_elliptic": FASTSIM_ELLIPTIC,
-    "fastrip": FASTRIP,
-    "polach": POLACH,
-}
-WITHOUT_FIELD = ("linear", "polach")  # forces only
-FIELD_THEORIES = tuple(name for name in THEORIES if name not in WITHOUT_FIELD)
+GIVEN = 9
+
+
+class Theory(NamedTuple):
+    """A tangential theory."""
+
+    number: int  # by which kernels know it; 0 is none
+    name: str
+    meaning: str  # with its source and omissions
+    has_field: bool = True  # whether it gives stress and slip over the patch, or forces only
+    has_moment: bool = True  # whether it gives a spin moment
+    takes_strips: bool = False  # whether it takes patches of any shape
+    in_runs: bool = True  # whether it may stand in the case of a run
+    of_patch: bool = True  # whether its forces follow from the patch, or from the model (`given`)
+
+
+TANGENTIAL = (
+    Theory(
+        CARTER,
+        "carter",
+        "line contact, Carter 1926; no lateral creepage, no spin",
+        has_moment=False,
+        in_runs=False,
+    ),
+    Theory(
+        LINEAR,
+        "linear",
+        "Kalker's linear theory, 1967; no friction limit",
+        has_field=False,
+        in_runs=False,
+    ),
+    Theory(STRIP, "strip", "strip theory, Haines and Ollerton 1963, Kalker 1967; no b/a, no large spin"),
+    Theory(FASTSIM, "fastsim", "FASTSIM, Kalker 1982, three flexibilities"),
+    Theory(FASTSIM_SINGLE, "fastsim_single", "FASTSIM, Kalker 1982, one weighted flexibility"),
+    Theory(FASTSIM_ELLIPTIC, "fastsim_elliptic", "FASTSIM, three flexibilities, Hertz's pressure"),
+    Theory(FASTRIP, "fastrip", "FaStrip, Sichani, Enblom and Berg 2016", takes_strips=True),
+    Theory(
+        POLACH,
+        "polach",
+        "Polach 1999, closed formulas; no spin moment",
+        has_field=False,
+        has_moment=False,
+    ),
+    Theory(
+        GIVEN,
+        "given",
+        "coefficients and conicity that the vehicle states (`given`)",
+        has_field=False,
+        has_moment=False,
+        of_patch=False,
+    ),
+)
+THEORIES: dict[str, int] = {theory.name: theory.number for theory in TANGENTIAL if theory.of_patch}
+FIELD_THEORIES = tuple(theory.name for theory in TANGENTIAL if theory.has_field)
+STRIP_THEORIES = tuple(theory.name for theory in TANGENTIAL if theory.takes_strips)
+RUN_THEORIES = tuple(theory.name for theory in TANGENTIAL if theory.in_runs)
 _NO_CREEPAGE = 1e-60  # creepages below it would underflow when squared; they count as none [-]
 
 
@@ -72,7 +108,7 @@ def _creeps(patch: RollingPatch) -> bool:
 
 
 @kernel
-def force_kernel(theory: int, patch: RollingPatch, cells_x: int, cells_y: int) -> tuple[float, float, float]:
+def force_kernel(theory: int, patch: RollingPatch, cells_x: int, cells_y: int) -> Triple:
     """Creep force and moment on the wheel (kernel: trusts its input, allocates nothing).
 
     Parameters
@@ -105,6 +141,33 @@ def force_kernel(theory: int, patch: RollingPatch, cells_x: int, cells_y: int) -
         return linear.force(patch)
     if theory == POLACH:
         return polach.force(patch, 1.0, 1.0)
+    return math.nan, math.nan, math.nan
+
+
+@inlined_kernel
+def strips_kernel(theory: int, strips: FloatArray, patch: RollingPatch, cells_x: int) -> Triple:
+    """Creep force and moment of a patch of strips (kernel: trusts its input, allocates nothing).
+
+    Parameters
+    ----------
+    theory : int
+        The number of a theory that takes strips; anything else gives NaN.
+    strips : FloatArray
+        (n, STRIP_COLUMNS), see `strips`.
+    patch : RollingPatch
+        Load, creepages, material and the equivalent ellipse.
+    cells_x : int
+        Cells along each strip.
+
+    Returns
+    -------
+    tuple of float
+        F_x [N], F_y [N], M_z [N m]; zero without friction.
+    """
+    if not patch.friction > 0.0:
+        return 0.0, 0.0, 0.0
+    if theory == FASTRIP:
+        return fastrip.force_on_strips(strips, strips.shape[0], patch, cells_x)
     return math.nan, math.nan, math.nan
 
 

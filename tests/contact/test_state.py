@@ -6,14 +6,13 @@ from dataclasses import asdict, fields
 import numpy as np
 import pytest
 
-from hh_exudyn.contact.contact_state import ContactState, contact_state, from_log_row
-from hh_exudyn.contact.types import PATCH_COLUMNS
+from hh_exudyn.contact.state import PATCH_COLUMNS, ContactState, contact_state, from_log_row
 from hh_exudyn.conventions import RIGHT
-from hh_exudyn.log.schema import CONTACT
+from hh_exudyn.log.channels import CONTACT
 
 STATE = contact_state(
-    np.arange(1.0, PATCH_COLUMNS + 1.0), side=RIGHT, speed=20.0, vertical=1e5, outwards=-3e3, yaw=1e-3,
-    roll=-2e-4, lateral=4e-3,
+    np.arange(1.0, PATCH_COLUMNS + 1.0), side=RIGHT, speed=20.0, Q=1e5, Y=-3e3, angle_of_attack=1e-3,
+    roll=-2e-4, y_wheelset=4e-3, s=0.0,
 )  # fmt: skip
 
 
