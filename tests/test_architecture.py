@@ -14,7 +14,8 @@ from source_tree import PACKAGES, git, imports_of, modules_of, project_files
 
 ROOT = Path(__file__).resolve().parents[1]
 TOP_LEVEL = {
-    *PACKAGES, "tests", "examples", "pyproject.toml", "README.md", "LICENSE", "CHANGELOG.md", "CONTRIBUTING.md",
+    *PACKAGES, "tests", "examples", "pyproject.toml",
+    "README.md", "LICENSE", "CHANGELOG.md", "CONTRIBUTING.md",
 }  # fmt: skip
 IN_SDIST = {"PKG-INFO", "setup.cfg"}  # what setuptools adds to an sdist, beside its egg-info
 LINES = 400
