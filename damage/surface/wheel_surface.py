@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
-from damage.wear.values import REGIMES
+from damage.wear.law import REGIMES
 
 DEFAULT_PATCH_GRID = PatchGrid()
 TREAD, FLANGE = 0, 1  # columns of the arrays that tell contact on the tread from contact on the flange

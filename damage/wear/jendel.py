@@ -6,15 +6,28 @@ Figure 3-23 of Hossein-Nia (2018).
 
 import math
 from dataclasses import dataclass, fields, replace
+from typing import NamedTuple
 
 from damage.parameters import parameters
-from damage.wear.values import MapValues
 from hh_exudyn.kernel import kernel
 
 JENDEL_REGIMES = ("mild, slow", "severe", "mild, fast", "seizure")
 """Regions of the map, in the order of the regime columns."""
 
 _DATA = {name: parameter.value for name, parameter in parameters("wear", "jendel").items()}
+
+
+class MapValues(NamedTuple):
+    """The map as the kernels take it; `JendelMap` has the meanings."""
+
+    mild_slow: float
+    severe: float
+    mild_fast: float
+    seizure: float
+    severe_from: float
+    severe_to: float
+    seizure_pressure: float  # [Pa]
+    hardness: float
 
 
 @dataclass(frozen=True)
