@@ -24,6 +24,7 @@ import numpy as np
 import pyarrow
 from numpy.typing import ArrayLike
 
+from damage.bounds import check_above_zero
 from damage.cells import cell_middles
 from damage.log_input.states import PATCH_COLUMNS, ContactStates, Elastic, contact_states, patch_of
 from damage.material import WheelMaterial
@@ -129,14 +130,10 @@ def strip_fatigue(fields: Fields, shear_yield: float, friction: float, fatigue_i
 
     Parameters
     ----------
-    fields
-        Pressure and tractions (ny, nx), from `field_kernel`.
-    shear_yield
-        k [Pa], > 0.
+    fields, shear_yield, fatigue_index
+        As `strip_indices`.
     friction
         No |q|/p is above it [-].
-    fatigue_index
-        (ny,) results [-].
     """
     cells_y, cells_x = fields.pressure.shape
     worst = cells_x // 2  # cell with the largest of the strip before
@@ -259,8 +256,7 @@ def distributed_index(
     ValueError
         Values outside these ranges.
     """
-    if not (math.isfinite(shear_yield) and shear_yield > 0.0):
-        raise ValueError(f"shear_yield = {shear_yield} Pa must be finite and > 0 Pa")
+    check_above_zero("shear_yield", shear_yield, "Pa")
     if strips < 1:
         raise ValueError(f"strips = {strips} must be at least 1")
     load, along, across = (np.atleast_1d(np.asarray(value, np.float64)) for value in (normal_force, a, b))

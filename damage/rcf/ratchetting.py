@@ -26,6 +26,7 @@ import pyarrow
 from numpy.typing import ArrayLike, NDArray
 from scipy.integrate import solve_ivp
 
+from damage.bounds import check_above_zero, check_not_below_zero
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.normal.subsurface import line_contact_stress
 
@@ -64,9 +65,8 @@ class RatchettingSteel:
 
     def __post_init__(self) -> None:
         for name in ("shear_yield", "rate", "hardening_rate", "hardening_limit", "critical_strain"):
-            value = getattr(self, name)
-            if not (math.isfinite(value) and value > 0.0):
-                raise ValueError(f"{name} = {value} of the ratchetting steel must be finite and > 0")
+            unit = "Pa" if name == "shear_yield" else "-"
+            check_above_zero(name, getattr(self, name), unit, "the ratchetting steel")
         if self.hardening_limit < 1.0:
             raise ValueError(f"hardening_limit = {self.hardening_limit} must be >= 1")
 
@@ -322,8 +322,7 @@ def _checked(
     if weights.shape != (cases.shape[0],) or not (np.all(weights >= 0.0) and abs(weights.sum() - 1.0) < 1e-9):
         raise ValueError(f"shares = {weights} must be >= 0, one for each load case, and add up to 1")
     for name, value, unit in (("cycles", cycles, "-"), ("wear_per_cycle", wear_per_cycle, "m")):
-        if not (math.isfinite(value) and value >= 0.0):
-            raise ValueError(f"{name} = {value} {unit} must be finite and >= 0 {unit}")
+        check_not_below_zero(name, value, unit)
     if not 0.0 < tolerance < 1.0:
         raise ValueError(f"tolerance = {tolerance} [-] must lie in 0..1")
     return z, cases, weights

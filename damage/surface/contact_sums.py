@@ -13,7 +13,7 @@ from damage.rcf.miner import kabo_damage
 from damage.rcf.number import Bins, CountWork, Spot, count_patch, count_work
 from damage.surface.lateral_grid import spread
 from damage.surface.patch_field import patch_field
-from damage.wear.law import REGIMES, LawValues
+from damage.wear.law import REGIMES, LawValues, SolvedPatch
 from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.types import Fields
 from hh_exudyn.kernel import inlined_kernel, kernel
@@ -99,7 +99,7 @@ def add_states(states: ContactStates, placed: Placed, solving: Solving, work: Wo
             continue
         patch = patch_of(states, row, solving.elastic)
         patch_field(solving.theory, patch, states.force_x[row], states.force_y[row], work.fields)
-        law.depths(law.numbers, patch, work.fields, speed, radius, work.depth)
+        law.depths(law.numbers, SolvedPatch(patch, work.fields, speed, radius), work.depth)
         strip_fatigue(work.fields, solving.shear_yield, patch.friction, work.fatigue_index)
         count_patch(
             patch, work.fields, work.fatigue_index, solving.shear_yield, solving.limits, spot, solving.bins,

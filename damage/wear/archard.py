@@ -21,9 +21,8 @@ from typing import NamedTuple
 from damage.cells import cell_middle
 from damage.parameters import parameters
 from damage.wear.jendel import JENDEL_REGIMES, JendelMap, MapValues, wear_coefficient, wear_regime
-from damage.wear.law import REGIMES, WearLaw, require_known
+from damage.wear.law import REGIMES, SolvedPatch, WearLaw, require_known
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
 DRY = JendelMap()
@@ -88,16 +87,10 @@ def read_archard(numbers: FloatArray) -> ArchardValues:
 
 
 @kernel
-def archard_depths(
-    numbers: FloatArray,
-    patch: RollingPatch,
-    fields: Fields,
-    speed: float,
-    rolling_radius: float,
-    depth: FloatArray,
-) -> None:
+def archard_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
     """Wear depth on the wheel per revolution, by strip and region of the map: a `LawKernel`."""
-    pressure, slip_x, slip_y = fields.pressure, fields.slip_x, fields.slip_y
+    patch, speed = solved.patch, solved.speed
+    pressure, slip_x, slip_y = solved.fields.pressure, solved.fields.slip_x, solved.fields.slip_y
     cells_y, cells_x = pressure.shape
     law, step = read_archard(numbers), 2.0 / cells_x
     wear_map, rigid = law.map, law.rigid

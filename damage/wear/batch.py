@@ -15,7 +15,7 @@ import pyarrow
 from damage.cells import cell_middles
 from damage.log_input.states import ContactStates, Elastic, contact_states, patch_of
 from damage.wear.energy import strip_energies
-from damage.wear.law import REGIMES, LawValues, WearLaw, require_known
+from damage.wear.law import REGIMES, LawValues, SolvedPatch, WearLaw, require_known
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.tangential.theories import FIELD_THEORIES, THEORIES, field_kernel
@@ -130,5 +130,6 @@ def _wear_states(
     for row in range(states.a.size):
         patch = patch_of(states, row, elastic)
         field_kernel(theory, patch, fields)
-        law.depths(law.numbers, patch, fields, states.speed[row], states.rolling_radius[row], by_regime[row])
+        solved = SolvedPatch(patch, fields, states.speed[row], states.rolling_radius[row])
+        law.depths(law.numbers, solved, by_regime[row])
         strip_energies(patch, fields, energy[row])

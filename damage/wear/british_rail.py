@@ -14,11 +14,10 @@ the patch's energy that it dissipates.
 import math
 
 from damage.parameters import parameters
-from damage.wear.energy import depths_by_energy, strip_energies
-from damage.wear.law import WearLaw
+from damage.wear.energy import depths_by_energy, energies_of_strips
+from damage.wear.law import SolvedPatch, WearLaw
 from damage.wear.rate import Rate, rate_in_regime, rate_numbers, rate_regime, read_rate
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
 _SI = 1e-12  # [m^3/m] in [mm^3/km]: of the loss per kilometre times the diameter
@@ -53,19 +52,9 @@ def british_rail_volume(energy: float, rolling_radius: float, rate: Rate) -> tup
 
 
 @kernel
-def british_rail_depths(
-    numbers: FloatArray,
-    patch: RollingPatch,
-    fields: Fields,
-    speed: float,
-    rolling_radius: float,
-    depth: FloatArray,
-) -> None:
+def british_rail_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
     """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`."""
-    depth[:] = 0.0
-    energy = strip_energies(patch, fields, depth[:, 0])
-    if not energy > 0.0:
-        depth[:] = 0.0  # nothing slips
-        return
-    regime, volume = british_rail_volume(energy, rolling_radius, read_rate(numbers))
-    depths_by_energy(regime, volume, energy, patch, depth)
+    energy = energies_of_strips(solved, depth)
+    if energy > 0.0:
+        regime, volume = british_rail_volume(energy, solved.rolling_radius, read_rate(numbers))
+        depths_by_energy(regime, volume, energy, solved.patch, depth)

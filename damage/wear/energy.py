@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from damage.cells import cell_middle
+from damage.wear.law import SolvedPatch
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.tangential.api import TractionField
 from hh_exudyn.contact.types import Fields, RollingPatch
@@ -82,6 +83,25 @@ def strip_energies(patch: RollingPatch, fields: Fields, energies: FloatArray) ->
         energies[j] = density * cell * math.sqrt(1.0 - lateral * lateral)
         total += energies[j]
     return total
+
+
+@kernel
+def energies_of_strips(solved: SolvedPatch, depth: FloatArray) -> float:
+    """Energy that a patch dissipates per distance rolled [N], above zero; 0 where nothing slips.
+
+    Parameters
+    ----------
+    solved
+        The patch.
+    depth
+        (ny, REGIMES) result: the energies of the strips [N] in the first column, the others zero.
+    """
+    depth[:] = 0.0
+    energy = strip_energies(solved.patch, solved.fields, depth[:, 0])
+    if energy > 0.0:
+        return energy
+    depth[:] = 0.0
+    return 0.0
 
 
 @kernel

@@ -12,11 +12,12 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
-from damage.wear.energy import depths_by_energy, strip_energies
-from damage.wear.law import REGIMES, WearLaw
+from damage.bounds import check_above_zero
+from damage.wear.energy import depths_by_energy, energies_of_strips
+from damage.wear.law import REGIMES, SolvedPatch, WearLaw
 from damage.wear.rate import Rate, rate_in_regime, rate_numbers, rate_regime, read_rate
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.types import Fields, RollingPatch
+from hh_exudyn.contact.types import RollingPatch
 from hh_exudyn.kernel import kernel
 
 
@@ -45,8 +46,7 @@ def krause_poll(coefficients: Sequence[float], power_densities: Sequence[float])
         ("power_densities", "W/m^2", power_densities),
     ):
         for value in values:
-            if not (math.isfinite(value) and value > 0.0):
-                raise ValueError(f"{name}: {value} {unit} must be finite and > 0 {unit}")
+            check_above_zero(name, value, unit)
     for low, high in pairwise(power_densities):
         if low >= high:
             raise ValueError(f"power_densities must rise: {low} W/m^2 is followed by {high} W/m^2")
@@ -67,19 +67,9 @@ def krause_poll_volume(energy: float, patch: RollingPatch, speed: float, rate: R
 
 
 @kernel
-def krause_poll_depths(
-    numbers: FloatArray,
-    patch: RollingPatch,
-    fields: Fields,
-    speed: float,
-    rolling_radius: float,
-    depth: FloatArray,
-) -> None:
+def krause_poll_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
     """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`."""
-    depth[:] = 0.0
-    energy = strip_energies(patch, fields, depth[:, 0])
-    if not energy > 0.0:
-        depth[:] = 0.0  # nothing slips
-        return
-    regime, volume = krause_poll_volume(energy, patch, speed, read_rate(numbers))
-    depths_by_energy(regime, volume, energy, patch, depth)
+    energy = energies_of_strips(solved, depth)
+    if energy > 0.0:
+        regime, volume = krause_poll_volume(energy, solved.patch, solved.speed, read_rate(numbers))
+        depths_by_energy(regime, volume, energy, solved.patch, depth)

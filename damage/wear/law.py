@@ -14,14 +14,24 @@ from hh_exudyn.kernel import kernel_value
 
 REGIMES = 4  # columns of a strip's depth: the regimes of a law; those that a law does not have stay 0
 
-LawKernel = Callable[[FloatArray, RollingPatch, Fields, float, float, FloatArray], None]
-"""Signature of a wear law's kernel: ``(numbers, patch, fields, speed, rolling_radius, depth)``.
+
+class SolvedPatch(NamedTuple):
+    """A contact state as the wear laws take it."""
+
+    patch: RollingPatch
+    fields: (
+        Fields  # (ny, nx) pressure, traction and slip, of a field kernel of `hh_exudyn.contact.tangential`
+    )
+    speed: float  # forward [m/s], > 0
+    rolling_radius: float  # of the wheel at the contact [m], > 0
+
+
+LawKernel = Callable[[FloatArray, SolvedPatch, FloatArray], None]
+"""Signature of a wear law's kernel: ``(numbers, solved, depth)``.
 
 It fills ``depth`` (ny, REGIMES), the wear depth on the wheel per revolution [m], normal to the surface, by
 strip of the patch and regime of the law, and returns nothing. ``numbers`` are the law's own
-(`WearLaw.numbers`), ``patch`` the solved patch, ``fields`` its (ny, nx) pressure, traction and slip as
-`hh_exudyn.contact.tangential.theories.field_kernel` fills them, ``speed`` the forward speed [m/s], > 0, and
-``rolling_radius`` that of the wheel at the contact [m], > 0.
+(`WearLaw.numbers`), ``solved`` is the `SolvedPatch`.
 
 A strip that loses the depth dz per revolution all around the wheel, 2 pi r, loses the volume dz times its
 width per metre rolled: so depth per revolution times width, summed over the strips, is the worn volume per
@@ -30,7 +40,7 @@ metre rolled.
 
 
 class LawValues(NamedTuple):
-    """A wear law as the kernels take it: ``law.depths(law.numbers, patch, fields, speed, radius, depth)``."""
+    """A wear law as the kernels take it: ``law.depths(law.numbers, solved, depth)``."""
 
     depths: Any  # `kernel_value` of a `LawKernel`
     numbers: FloatArray  # (n,)
@@ -79,9 +89,8 @@ class WearLaw:
 @cache
 def _values(depths: LawKernel, numbers: tuple[float, ...]) -> LawValues:
     array = np.array(numbers, dtype=np.float64)
-    fields = Fields(*np.zeros((5, 1, 1)))
-    example = (array, RollingPatch(*[0.0] * 9), fields, 0.0, 0.0, np.zeros((1, REGIMES)))
-    return LawValues(kernel_value(depths, *example), array)
+    solved = SolvedPatch(RollingPatch(*[0.0] * 9), Fields(*np.zeros((5, 1, 1))), 0.0, 0.0)
+    return LawValues(kernel_value(depths, array, solved, np.zeros((1, REGIMES))), array)
 
 
 def require_known(what: str, given: str, known: tuple[str, ...]) -> None:

@@ -17,13 +17,13 @@ stick do not wear.
 
 import math
 
+from damage.bounds import check_above_zero
 from damage.cells import cell_middle
 from damage.parameters import parameters
-from damage.wear.energy import cell_energy, strip_energies
-from damage.wear.law import REGIMES, WearLaw
+from damage.wear.energy import cell_energy, energies_of_strips
+from damage.wear.law import REGIMES, SolvedPatch, WearLaw
 from damage.wear.rate import rate_in_regime, rate_numbers, rate_regime, read_rate
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
 _MASS = 1e-3  # [kg/m/m^2] in [ug/m/mm^2]
@@ -44,8 +44,7 @@ def ward(density: float = _DENSITY) -> WearLaw:
 
 def _rate(density: float) -> tuple[float, ...]:
     """Worn volume per metre rolled and contact area [-] over the energy per area [Pa]."""
-    if not (math.isfinite(density) and density > 0.0):
-        raise ValueError(f"density = {density} kg/m^3 must be finite and > 0 kg/m^3")
+    check_above_zero("density", density, "kg/m^3")
     number = {name: parameter.value for name, parameter in parameters("wear", "usfd").items()}
     volume = _MASS / density
     per_stress = volume / _STRESS
@@ -58,16 +57,9 @@ def _rate(density: float) -> tuple[float, ...]:
 
 
 @kernel
-def usfd_depths(
-    numbers: FloatArray,
-    patch: RollingPatch,
-    fields: Fields,
-    speed: float,
-    rolling_radius: float,
-    depth: FloatArray,
-) -> None:
+def usfd_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
     """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`."""
-    energy = strip_energies(patch, fields, depth[:, 0])
+    patch, energy = solved.patch, energies_of_strips(solved, depth)
     depth[:] = 0.0
     if not energy > 0.0:
         return  # nothing slips
@@ -81,17 +73,10 @@ def usfd_depths(
 
 
 @kernel
-def ward_depths(
-    numbers: FloatArray,
-    patch: RollingPatch,
-    fields: Fields,
-    speed: float,
-    rolling_radius: float,
-    depth: FloatArray,
-) -> None:
+def ward_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
     """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`, summed over the cells."""
+    patch, fields, rate = solved.patch, solved.fields, read_rate(numbers)
     cells_y, cells_x = fields.pressure.shape
-    rate = read_rate(numbers)
     depth[:] = 0.0
     for j in range(cells_y):
         lateral = cell_middle(j, cells_y)

@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 
 from damage.report import assess
 from damage.wear.batch import wear_depths
-from damage.wear.law import REGIMES, WearLaw
+from damage.wear.law import REGIMES, SolvedPatch, WearLaw
 from damage.wear.laws import LAW_RECORDS, LawRecord, law_names, law_parameters, names_for_help, wear_law
 from hh_exudyn.cli.app import app
 from hh_exudyn.contact.types import Fields, RollingPatch
@@ -27,18 +27,18 @@ import math
 
 import numpy as np
 
-from damage.wear.energy import strip_energies
+from damage.wear.energy import energies_of_strips
 from damage.wear.law import WearLaw
 from damage.wear.laws import LawRecord
 from hh_exudyn.kernel import kernel
 
 
 @kernel
-def square_depths(numbers, patch, fields, speed, rolling_radius, depth):
+def square_depths(numbers, solved, depth):
     """Worn volume = coefficient times energy squared, evenly over the strips, in the second regime."""
-    energy = strip_energies(patch, fields, depth[:, 0])
+    energy = energies_of_strips(solved, depth)
     depth[:] = 0.0
-    depth[:, 1] = numbers[0] * energy * energy / (2.0 * patch.b)
+    depth[:, 1] = numbers[0] * energy * energy / (2.0 * solved.patch.b)
 
 
 def square(coefficient=1e-15):
@@ -141,7 +141,7 @@ def _depth(law: WearLaw, along: np.ndarray) -> np.ndarray:
     fields.pressure[:] = 800e6
     fields.q_x[:] = -320e6
     fields.slip_x[:] = 0.03 * along
-    law.depths(np.array(law.numbers), patch, fields, 15.0, 0.46, depth)
+    law.depths(np.array(law.numbers), SolvedPatch(patch, fields, 15.0, 0.46), depth)
     return depth
 
 
