@@ -6,6 +6,7 @@ The numbers of the grades stand with their sources in ``damage/data/materials.to
 import math
 from dataclasses import dataclass
 
+from damage.bounds import check_above_zero
 from damage.parameters import Parameter, parameters, table_names
 from hh_exudyn.contact.material import STEEL, Material
 
@@ -67,8 +68,8 @@ class WheelMaterial:
     def __post_init__(self) -> None:
         for quantity in ("yield_strength", "tensile_strength", "hardness", "measured_shear_yield"):
             value = getattr(self, quantity)
-            if value is not None and not (math.isfinite(value) and value > 0.0):
-                raise ValueError(f"{quantity} = {value} Pa must be finite and > 0 Pa")
+            if value is not None:
+                check_above_zero(quantity, value, "Pa")
         if self.yield_strength and self.tensile_strength and self.tensile_strength < self.yield_strength:
             raise ValueError(
                 f"tensile_strength = {self.tensile_strength} Pa must be at least the yield strength, "

@@ -45,12 +45,29 @@ class Parameter:
 
 
 @cache
-def _file(name: str) -> dict[str, dict[str, Parameter]]:
-    text = resources.files("damage").joinpath(f"data/{name}.toml").read_text(encoding="utf-8")
+def tables_of(data: str) -> dict[str, dict[str, Parameter]]:
+    """All parameters of a file that lies in a package, by table and quantity.
+
+    Parameters
+    ----------
+    data
+        ``package:file``, the file relative to the package's folder.
+
+    Raises
+    ------
+    ValueError
+        An entry without a proper source.
+    """
+    package, _, path = data.partition(":")
+    text = resources.files(package).joinpath(path).read_text(encoding="utf-8")
     return {
         table: {quantity: Parameter(**entry) for quantity, entry in entries.items()}
         for table, entries in tomllib.loads(text).items()
     }
+
+
+def _file(name: str) -> dict[str, dict[str, Parameter]]:
+    return tables_of(f"damage:data/{name}.toml")
 
 
 def table_names(name: str) -> tuple[str, ...]:

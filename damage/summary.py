@@ -15,7 +15,6 @@ from damage.wear.energy import wear_number
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.log.store import Run
 
-SIDES = (LEFT, RIGHT)
 STEADY_SHARE = 0.2  # of the run time: the demo's last 50 m of 250 m, a curve entered 100 m earlier
 
 _WEAR = ("force_x", "force_y", "moment_z", "nu_x", "nu_y", "phi")
@@ -124,7 +123,10 @@ def _summary(
     mine = (rows["vehicle"] == vehicle) & (rows["wheelset"] == wheelset)
     both = {name: values[mine] for name, values in rows.items()}
     _, first = np.unique(both["time"], return_index=True)  # what is repeated on both wheels and all patches
-    wheels = [_wheel({name: values[both["side"] == side] for name, values in both.items()}) for side in SIDES]
+    wheels = [
+        _wheel({name: values[both["side"] == side] for name, values in both.items()})
+        for side in (LEFT, RIGHT)
+    ]
 
     def mean(name: str) -> Pair:
         left, right = (float(wheel[name].sum()) / count for wheel in wheels)

@@ -1,4 +1,4 @@
-"""The one door to numba: `kernel`, `inlined_kernel`, scratch `memory`, and `Bundle` for many arrays.
+"""The one door to numba: `kernel`, `inlined_kernel`, `kernel_value`, `memory`, `Bundle` of many arrays.
 
 Numba's file cache does not notice when a kernel in ANOTHER file changes, and then runs old code without
 a word. Here the cache folder of a kernel is named by the hash of every source that it can be made of: all
@@ -25,7 +25,10 @@ import numba
 import numpy as np
 from numba import types
 from numba.core import cgutils
-from numba.experimental import structref
+from numba.experimental import (
+    function_type,  # noqa: F401 (registers the types that `kernel_value` needs)
+    structref,
+)
 from numba.extending import intrinsic
 from numpy.typing import NDArray
 
@@ -152,6 +155,42 @@ def inlined_kernel(function: F) -> F:
     to the stack and back, which costs more than what the function does.
     """
     return _compiled(function, forceinline=True)
+
+
+class _KernelValue(types.WrapperAddressProtocol):
+    """A compiled kernel as a value: the address of its machine code for one signature."""
+
+    def __init__(self, function: Any, signature: Any) -> None:
+        self._function, self._signature = function, signature
+
+    def signature(self) -> Any:
+        """What a kernel that takes the value compiles its call for."""
+        return self._signature
+
+    def __wrapper_address__(self) -> int:
+        compiled = self._function.get_compile_result(self._signature)
+        if compiled.signature.return_type != types.none:
+            raise TypeError(f"kernel {self._function.py_func.__qualname__} must return nothing")
+        address: int = compiled.library.get_pointer_to_function(compiled.fndesc.llvm_cfunc_wrapper_name)
+        return address
+
+
+def kernel_value(function: Callable[..., None], *arguments: Any) -> Any:
+    """A kernel as a value that other kernels take as an argument, alone or in a NamedTuple, and call.
+
+    A kernel that takes it is compiled once for all kernels of that signature, and calls them by address: so a
+    law of another package runs inside loops that were compiled without it.
+
+    Parameters
+    ----------
+    function
+        The kernel; it returns nothing. Compiled at its first use.
+    arguments
+        An example of every argument, of its type.
+    """
+    if numba.config.DISABLE_JIT:
+        return function
+    return _KernelValue(function, types.none(*(numba.typeof(argument) for argument in arguments)))
 
 
 @intrinsic(prefer_literal=True)

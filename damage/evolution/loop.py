@@ -6,13 +6,13 @@ or give a synthetic rate. A step ends where the deepest place has lost `StepCont
 of wheel profile wear - comparisons with field measurements, Wear 253 (2002); Hossein-Nia 2018, figure 3-25).
 """
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+from damage.bounds import check_above_zero, check_not_below_zero
 from damage.evolution.history import WearHistory, WearStep, read_history, write_step
 from damage.evolution.measures import ConicityTrack, measure
 from damage.evolution.profile_wear import ProfileWear
@@ -49,9 +49,7 @@ class StepControl:
 
     def __post_init__(self) -> None:
         for name in ("max_depth", "max_distance"):
-            value = getattr(self, name)
-            if not (math.isfinite(value) and value > 0.0):
-                raise ValueError(f"{name} = {value} m of a step of wear must be finite and > 0 m")
+            check_above_zero(name, getattr(self, name), "m", "a step of wear")
         if not 0.0 <= self.smoothing <= 0.5:
             raise ValueError(f"smoothing = {self.smoothing} of a step of wear, allowed 0 .. 0.5")
 
@@ -93,10 +91,8 @@ def evolve(
         A number out of its range, a directory with the steps of another wheel, or wear that leaves no valid
         profile (`worn_profile`); the steps so far are kept.
     """
-    if not (math.isfinite(distance) and distance >= 0.0):
-        raise ValueError(f"distance = {distance} m must be finite and >= 0 m")
-    if not (math.isfinite(radius) and radius > 0.0):
-        raise ValueError(f"radius = {radius} m must be finite and > 0 m")
+    check_not_below_zero("distance", distance, "m")
+    check_above_zero("radius", radius, "m")
     directory, control, track = Path(directory), control or StepControl(), track or ConicityTrack()
     steps = list(read_history(directory).steps)
     if not steps:

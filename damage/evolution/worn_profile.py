@@ -9,11 +9,10 @@ of its largest value. The worn area stays the same, and places 5 mm from any wea
 Points keep their number: each moves by (-dz/ds, dy/ds) times the depth at its place.
 """
 
-import math
-
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from damage.bounds import check_not_below_zero
 from damage.evolution.profile_wear import ProfileWear
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile
@@ -88,8 +87,7 @@ def step_depth(
     """
     if wheel.kind != "wheel":
         raise ValueError(f"profile {wheel.name!r} is a {wheel.kind}'s; wear needs a wheel's")
-    if not (math.isfinite(distance) and distance >= 0.0):
-        raise ValueError(f"distance = {distance} m of a step of wear must be finite and >= 0 m")
+    check_not_below_zero("distance", distance, "m", "a step of wear")
     if not 0.0 <= smoothing <= _LARGEST_SMOOTHING:
         raise ValueError(f"smoothing = {smoothing} of a step of wear, allowed 0 .. {_LARGEST_SMOOTHING:g}")
     depth = wear.at(wheel.y) * (1e-3 * distance)

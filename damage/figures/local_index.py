@@ -6,13 +6,14 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from damage.log_input.contact_states import ContactSource, contact_chunks
+from damage.log_input.states import PATCH_COLUMNS
 from damage.material import ER7, WheelMaterial
 from damage.rcf.local import distributed_index, local_indices
 from hh_exudyn.arrays import FloatArray
 
 _COLUMNS = (
-    *("time", "vehicle", "wheelset", "side", "y_wheel", "contact_angle", "normal_force", "a", "b"),
-    *("nu_x", "nu_y", "phi", "friction", "force_x", "force_y"),
+    *("time", "vehicle", "wheelset", "side", "y_wheel", "contact_angle", "force_x", "force_y"),
+    *PATCH_COLUMNS,
 )
 _CURVES = (
     ("global", "#7a7a7a", "--"),
@@ -122,11 +123,7 @@ def _three_indices(
     rows: dict[str, FloatArray], material: WheelMaterial, cells: tuple[int, int]
 ) -> list[tuple[FloatArray, FloatArray]]:
     """Places on the wheel profile [m] and indices [-], (patches, strips), in the order of `_CURVES`."""
-    states = {name: rows[name] for name in ("a", "b", "normal_force", "nu_x", "nu_y", "phi", "friction")}
-    local = [
-        local_indices(**states, material=material, theory=name, cells=cells)
-        for name in ("fastrip", "fastsim")
-    ]
+    local = [local_indices(rows, material, name, cells) for name in ("fastrip", "fastsim")]
     spread = distributed_index(
         rows["force_x"], rows["force_y"], rows["normal_force"], rows["a"], rows["b"], material.shear_yield,
         strips=cells[1],

@@ -9,10 +9,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from damage.wear.archard import archard
-from damage.wear.batch import WearStates, wear_states
+from damage.log_input.states import PATCH_COLUMNS, ContactStates, contact_states
+from damage.wear.archard import ArchardValues, archard, archard_depths, read_archard
+from damage.wear.jendel import MapValues
 from damage.wear.law import WearLaw
-from damage.wear.values import ARCHARD, MapValues
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.tangential.api import traction_field
@@ -49,17 +49,17 @@ def wear_map_figure(
     ValueError
         Not Archard's law, another number of names than states, or bad states.
     """
-    if law.values.law != ARCHARD:
+    if law.depths is not archard_depths:
         raise ValueError(f"the wear law {law.name!r} has no map; only Archard's has")
-    columns = wear_states(states)
+    columns, values = contact_states(states), read_archard(law.values.numbers)
     count = columns.a.size
     if names and len(names) != count:
         raise ValueError(f"{len(names)} names for {count} contact states")
     figure = Figure(figsize=(6.4, 4.2), layout="constrained")
     axes = figure.subplots()
-    slowest, fastest, highest = _SLOWEST, 2.0, law.values.map.seizure_pressure * 1.25
+    slowest, fastest, highest = _SLOWEST, 2.0, values.map.seizure_pressure * 1.25
     for row in range(count):
-        velocity, pressure = _slipping_cells(columns, row, law, theory, cells, material)
+        velocity, pressure = _slipping_cells(columns, row, values, theory, cells, material)
         if velocity.size:
             slowest = min(slowest, 0.5 * float(np.quantile(velocity, 0.05)))
             fastest = max(fastest, 2.0 * float(velocity.max()))
@@ -69,27 +69,32 @@ def wear_map_figure(
         axes.plot(
             velocity, pressure * 1e-9, ".", markersize=2.2, color=colour, markeredgewidth=0.0, label=label
         )
-    _draw_regions(axes, law.values.map, slowest, fastest, highest)
+    _draw_regions(axes, values.map, slowest, fastest, highest)
     axes.set_xscale("log")
     axes.set_xlim(slowest, fastest)
     axes.set_ylim(0.0, highest * 1e-9)
-    axes.set_xlabel(f"sliding velocity ({'rigid' if law.values.rigid else 'elastic'} slip) [m/s]")
+    axes.set_xlabel(f"sliding velocity ({'rigid' if values.rigid else 'elastic'} slip) [m/s]")
     axes.set_ylabel("contact pressure [GPa]")
     figure.legend(loc="outside upper center", ncols=min(count, 3), fontsize=8, frameon=False, markerscale=4.0)
     return figure
 
 
 def _slipping_cells(
-    states: WearStates, row: int, law: WearLaw, theory: str, cells: tuple[int, int], material: Material
+    states: ContactStates,
+    row: int,
+    law: ArchardValues,
+    theory: str,
+    cells: tuple[int, int],
+    material: Material,
 ) -> tuple[FloatArray, FloatArray]:
     """Sliding velocity [m/s] and pressure [Pa] of the cells that slip."""
-    a, b, force, nu_x, nu_y, phi, friction, speed, _ = (float(column[row]) for column in states)
+    a, b, force, nu_x, nu_y, phi, friction = (float(getattr(states, name)[row]) for name in PATCH_COLUMNS)
     field = traction_field(theory, a, b, force, nu_x, nu_y, phi, friction, material, cells)
     slip = np.hypot(field.slip_x, field.slip_y)
     slips = slip > 0.0
-    if law.values.rigid:
+    if law.rigid:
         slip = np.hypot(nu_x - phi * field.y, nu_y + phi * field.x)
-    return slip[slips] * speed, field.pressure[slips]
+    return slip[slips] * float(states.speed[row]), field.pressure[slips]
 
 
 def _draw_regions(axes: Axes, wear_map: MapValues, slowest: float, fastest: float, highest: float) -> None:

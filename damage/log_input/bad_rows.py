@@ -77,6 +77,12 @@ class BadRows:
                 self.times.append(float(time))
         return {name: values[~bad] for name, values in chunk.items()}
 
+    def clear(self) -> None:
+        """Begin again at the start of the log."""
+        self.total, self.count = 0, 0
+        self.times.clear()
+        self.faults.clear()
+
     def __str__(self) -> str:
         times = ", ".join(f"{time:.6g}" for time in self.times)
         faults = (self.faults[kind] for kind in sorted(self.faults))

@@ -6,7 +6,7 @@ from typing import TypeAlias
 
 import numpy as np
 import pyarrow
-import pyarrow.parquet
+import pyarrow.dataset
 from numpy.typing import ArrayLike
 
 from hh_exudyn.log.store import Run, open_run
@@ -70,16 +70,20 @@ def _parquet_files(path: Path) -> list[Path]:
 
 
 def _file_batches(files: list[Path], columns: Sequence[str], rows: int) -> Iterator[pyarrow.RecordBatch]:
+    parquet = pyarrow.dataset.ParquetFileFormat()
+    # a scan that reads ahead holds the whole file: 790 instead of 210 MB for a file of 600 MB
+    stream = pyarrow.dataset.ParquetFragmentScanOptions(use_buffered_stream=True, pre_buffer=False)
     for path in files:
+        part = parquet.make_fragment(str(path))
         try:
-            file = pyarrow.parquet.ParquetFile(path)
+            names = part.physical_schema.names
         except pyarrow.ArrowInvalid as error:
             raise ValueError(f"{path} cannot be read as Parquet: {error}") from None
-        with file:
-            _require(str(path), file.schema_arrow.names, columns)
-            for group in range(file.num_row_groups):  # asked for all at once, it keeps what it has read
-                for batch in file.iter_batches(rows, row_groups=[group], columns=list(columns)):
-                    yield batch.select(list(columns))
+        _require(str(path), names, columns)
+        yield from part.to_batches(
+            columns=list(columns), batch_size=rows, batch_readahead=0, use_threads=False,
+            fragment_scan_options=stream,
+        )  # fmt: skip
 
 
 def _require(where: str, there: Sequence[str], wanted: Sequence[str]) -> None:

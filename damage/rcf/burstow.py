@@ -16,6 +16,7 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from damage.bounds import check_above_zero
 from damage.material import WheelMaterial
 from hh_exudyn.kernel import inlined_kernel
 
@@ -60,9 +61,7 @@ class Burstow:
 
     def __post_init__(self) -> None:
         for name, unit in (("yield_strength", "Pa"), ("tensile_strength", "Pa"), ("area", "m^2")):
-            value = getattr(self, name)
-            if not (math.isfinite(value) and value > 0.0):
-                raise ValueError(f"{name} = {value} {unit} of Burstow's limits must be finite and > 0 {unit}")
+            check_above_zero(name, getattr(self, name), unit, "Burstow's limits")
         if self.tensile_strength < self.yield_strength:
             raise ValueError(
                 f"tensile_strength = {self.tensile_strength} Pa must be at least the yield strength, "

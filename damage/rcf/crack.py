@@ -21,6 +21,7 @@ import numpy as np
 import pyarrow
 from numpy.typing import ArrayLike
 
+from damage.bounds import check_above_zero, check_not_below_zero
 from damage.rcf.local import LocalFatigue
 from damage.rcf.miner import KABO_FACTOR
 from damage.surface.lateral_grid import LateralGrid, spread
@@ -68,9 +69,8 @@ class LifeRelation:
             raise ValueError(
                 f"index = {self.index!r} of {self.name}; allowed are 'fatigue_index' and 'stress_index'"
             )
-        for name, value in (("unit", self.unit), ("coefficient", self.coefficient)):
-            if not (math.isfinite(value) and value > 0.0):
-                raise ValueError(f"{name} = {value} of {self.name} must be finite and > 0")
+        check_above_zero("unit", self.unit, "-" if self.index == "fatigue_index" else "Pa", self.name)
+        check_above_zero("coefficient", self.coefficient, "-", self.name)
         if not (math.isfinite(self.exponent) and self.exponent < 0.0):
             raise ValueError(f"exponent = {self.exponent} of {self.name} must be finite and < 0")
 
@@ -235,8 +235,7 @@ def miner_sum(
     )
     if not np.all((turns >= 0.0) & np.isfinite(turns)):
         raise ValueError("revolutions must be finite and >= 0")
-    if not (math.isfinite(wheel_revolutions) and wheel_revolutions >= 0.0):
-        raise ValueError(f"wheel_revolutions = {wheel_revolutions} must be finite and >= 0")
+    check_not_below_zero("wheel_revolutions", wheel_revolutions, "-")
     if not np.all((cosine > 0.0) & (cosine <= 1.0)):
         raise ValueError("stretch must lie in 0..1, zero excluded")
     if not np.all(np.abs(hand) == 1.0):
@@ -297,9 +296,7 @@ class CrackShape:
 
     def __post_init__(self) -> None:
         for name, unit in (("failure_surface_length", "m"), ("failure_damage", "-"), ("mouth_ratio", "-")):
-            value = getattr(self, name)
-            if not (math.isfinite(value) and value > 0.0):
-                raise ValueError(f"{name} = {value} {unit} of the crack must be finite and > 0 {unit}")
+            check_above_zero(name, getattr(self, name), unit, "the crack")
         if not 0.0 < self.angle <= 0.5 * math.pi:
             raise ValueError(f"angle = {self.angle} rad of the crack must lie in 0..pi/2 rad, zero excluded")
 

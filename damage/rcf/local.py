@@ -16,16 +16,21 @@ without pressure counts as -infinity. The largest value of a strip comes from it
 """
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import pyarrow
 from numpy.typing import ArrayLike
 
+from damage.bounds import check_above_zero
+from damage.cells import cell_middles
+from damage.log_input.states import PATCH_COLUMNS, ContactStates, Elastic, contact_states, patch_of
 from damage.material import WheelMaterial
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel
-from hh_exudyn.contact.types import Fields, RollingPatch
+from hh_exudyn.contact.types import Fields
 from hh_exudyn.kernel import kernel
 
 _ROUNDED_UP = 1.0 + 1e-14  # so that a cell does not exceed itself by rounding
@@ -125,14 +130,10 @@ def strip_fatigue(fields: Fields, shear_yield: float, friction: float, fatigue_i
 
     Parameters
     ----------
-    fields
-        Pressure and tractions (ny, nx), from `field_kernel`.
-    shear_yield
-        k [Pa], > 0.
+    fields, shear_yield, fatigue_index
+        As `strip_indices`.
     friction
         No |q|/p is above it [-].
-    fatigue_index
-        (ny,) results [-].
     """
     cells_y, cells_x = fields.pressure.shape
     worst = cells_x // 2  # cell with the largest of the strip before
@@ -168,30 +169,21 @@ def strip_fatigue(fields: Fields, shear_yield: float, friction: float, fatigue_i
 @kernel
 def _states_indices(
     theory: int,
-    states: FloatArray,
-    shear_modulus: float,
-    poisson_ratio: float,
+    states: ContactStates,
+    elastic: Elastic,
     shear_yield: float,
     fields: Fields,
     stress_index: FloatArray,
     fatigue_index: FloatArray,
 ) -> None:
-    """`strip_indices` of every row (a, b, normal force, nu_x, nu_y, phi, friction) of the states."""
-    for row in range(states.shape[0]):
-        a, b, normal_force, nu_x, nu_y, phi, friction = states[row]
-        patch = RollingPatch(a, b, normal_force, nu_x, nu_y, phi, friction, shear_modulus, poisson_ratio)
-        field_kernel(theory, patch, fields)
+    """`strip_indices` of every state."""
+    for row in range(states.a.size):
+        field_kernel(theory, patch_of(states, row, elastic), fields)
         strip_indices(fields, shear_yield, stress_index[row], fatigue_index[row])
 
 
 def local_indices(
-    a: ArrayLike,
-    b: ArrayLike,
-    normal_force: ArrayLike,
-    nu_x: ArrayLike,
-    nu_y: ArrayLike,
-    phi: ArrayLike,
-    friction: ArrayLike,
+    states: Mapping[str, Any] | pyarrow.Table,
     material: WheelMaterial,
     theory: str = "fastrip",
     cells: tuple[int, int] = (50, 50),
@@ -200,16 +192,9 @@ def local_indices(
 
     Parameters
     ----------
-    a, b
-        Semi-axes of the patches [m], scalars or (n,) as all that follow.
-    normal_force
-        [N], >= 0.
-    nu_x, nu_y
-        Creepages [-].
-    phi
-        Spin creepage [1/m].
-    friction
-        [-], >= 0.
+    states
+        The columns `damage.log_input.states.PATCH_COLUMNS`, numbers or (n,) arrays, as a mapping or a contact
+        log's table; other columns are passed over.
     material
         The wheel steel: k and the elastic constants.
     theory
@@ -220,36 +205,22 @@ def local_indices(
     Raises
     ------
     ValueError
-        Unknown theory, cells below 1, or values outside these ranges: how many, and the first row.
+        Unknown theory, cells below 1, a missing column, or values out of their ranges (with the first row).
     """
     if theory not in FIELD_THEORIES:
         raise ValueError(f"theory = {theory!r}; theories with a stress field: {', '.join(FIELD_THEORIES)}")
     if min(cells) < 1:
         raise ValueError(f"cells = {cells} must be at least 1 along and across")
-    given = {
-        "a": (a, "m", True), "b": (b, "m", True), "normal_force": (normal_force, "N", True),
-        "nu_x": (nu_x, "[-]", False), "nu_y": (nu_y, "[-]", False), "phi": (phi, "1/m", False),
-        "friction": (friction, "[-]", True),
-    }  # fmt: skip
-    columns = np.broadcast_arrays(*(np.atleast_1d(np.asarray(v, np.float64)) for v, _, _ in given.values()))
-    for column, (name, (_, unit, at_least_zero)) in zip(columns, given.items(), strict=True):
-        bad = ~np.isfinite(column) | (at_least_zero & (column < 0.0))
-        if bad.any():
-            row = int(np.argmax(bad))
-            wanted = "finite and >= 0" if at_least_zero else "finite"
-            raise ValueError(
-                f"{name} = {column[row]:g} {unit} in row {row} must be {wanted} "
-                f"({int(bad.sum())} such rows among {bad.size})"
-            )
-    states = np.column_stack(columns)
+    columns = contact_states(states, PATCH_COLUMNS)
     nx, ny = int(cells[0]), int(cells[1])
-    stress_index, fatigue_index = np.empty((2, states.shape[0], ny))
+    stress_index, fatigue_index = np.empty((2, columns.a.size, ny))
+    elastic = Elastic(material.elastic.shear_modulus, material.elastic.poisson_ratio)
+    fields = Fields(*np.zeros((5, ny, nx)))
     _states_indices(
-        THEORIES[theory], states, material.elastic.shear_modulus, material.elastic.poisson_ratio,
-        material.shear_yield, Fields(*np.zeros((5, ny, nx))), stress_index, fatigue_index,
-    )  # fmt: skip
-    b_of = states[:, 1]
-    return LocalFatigue(b_of[:, None] * _strip_middles(ny), stress_index, fatigue_index, 2.0 * b_of / ny)
+        THEORIES[theory], columns, elastic, material.shear_yield, fields, stress_index, fatigue_index
+    )
+    y = columns.b[:, None] * cell_middles(ny)
+    return LocalFatigue(y, stress_index, fatigue_index, 2.0 * columns.b / ny)
 
 
 def distributed_index(
@@ -285,8 +256,7 @@ def distributed_index(
     ValueError
         Values outside these ranges.
     """
-    if not (math.isfinite(shear_yield) and shear_yield > 0.0):
-        raise ValueError(f"shear_yield = {shear_yield} Pa must be finite and > 0 Pa")
+    check_above_zero("shear_yield", shear_yield, "Pa")
     if strips < 1:
         raise ValueError(f"strips = {strips} must be at least 1")
     load, along, across = (np.atleast_1d(np.asarray(value, np.float64)) for value in (normal_force, a, b))
@@ -295,12 +265,6 @@ def distributed_index(
             raise ValueError(f"{name} must be > 0 {unit}; {np.count_nonzero(~(values > 0.0))} values are not")
     ratio = np.hypot(np.asarray(force_x, np.float64), np.asarray(force_y, np.float64)) / load
     highest = 1.5 * load / (np.pi * along * across)  # p0 of Hertz
-    fade = np.sqrt(1.0 - _strip_middles(strips) ** 2)
+    fade = np.sqrt(1.0 - cell_middles(strips) ** 2)
     index: FloatArray = ratio[:, None] - shear_yield / (highest[:, None] * fade)
     return index
-
-
-def _strip_middles(strips: int) -> FloatArray:
-    """(strips,) middles of the strips over b [-]."""
-    middles: FloatArray = -1.0 + (2.0 * np.arange(strips) + 1.0) / strips
-    return middles

@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from damage.cells import cell_middle, cell_middles
 from damage.rcf.burstow import BurstowLimits, remaining
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.types import Fields, RollingPatch
@@ -34,6 +35,15 @@ class Bins(NamedTuple):
     step: float  # [m]
     along_start: float  # rear edge of the first bin along the patch [m]
     along_step: float  # [m]
+
+
+class Spot(NamedTuple):
+    """Where a patch lies on the bins, and what its contact state stands for."""
+
+    position: float  # of its middle in the coordinate of the bins across [m]
+    across: float  # of a metre along its y axis, to the left, in that coordinate [-]; < 0 on a left wheel
+    revolutions: float  # of the wheel [-]
+    rolled: float  # distance [m]
 
 
 class CountWork(NamedTuple):
@@ -54,7 +64,7 @@ def count_work(cells: tuple[int, int], bins_along: int) -> CountWork:
     nx, ny = cells
     pairs = (ny + 1) // 2
     return CountWork(
-        (2.0 * np.arange(nx) + 1.0) / nx - 1.0,
+        cell_middles(nx),
         np.zeros((2, nx * COLUMNS)),
         np.zeros((nx + 1, PAIR)),
         np.zeros((pairs, 2, bins_along, COLUMNS)),
@@ -168,9 +178,7 @@ def count_patch(
     fatigue_index: FloatArray,
     shear_yield: float,
     limits: BurstowLimits,
-    position: float,
-    across: float,
-    revolutions: float,
+    spot: Spot,
     bins: Bins,
     work: CountWork,
     counts: FloatArray,
@@ -187,13 +195,8 @@ def count_patch(
         k [Pa].
     limits
         Burstow's thresholds.
-    position
-        Of the patch's middle in the coordinate of the bins across [m].
-    across
-        What a metre along the patch's y axis, to the left, is in that coordinate [-]: below zero on a left
-        wheel, whose profile has its coordinate to the right.
-    revolutions
-        Of the wheel that the state stands for [-].
+    spot
+        Where the patch lies, and the revolutions that it stands for.
     bins
         The bins; the patch lies on them.
     work
@@ -206,7 +209,7 @@ def count_patch(
     total = 0.0
     for pair in range((cells_y + 1) // 2):
         mirror = cells_y - 1 - pair
-        lateral = -1.0 + (2 * pair + 1) / cells_y
+        lateral = cell_middle(pair, cells_y)
         cosine = math.sqrt(1.0 - lateral * lateral)
         half_length = patch.a * cosine
         counting = fatigue_index[pair] > 0.0
@@ -219,17 +222,17 @@ def count_patch(
             total += cosine * work.sums[cells_x, COLUMNS + ENERGY]
     wiped = total * 4.0 * patch.a * patch.b / (cells_x * cells_y) > limits.total
     kept = 0.0 if wiped else 1.0
-    width = 2.0 * patch.b / (cells_y * bins.step) * abs(across)
+    width = 2.0 * patch.b / (cells_y * bins.step) * abs(spot.across)
     for strip in range(cells_y):
         mirrored = strip >= (cells_y + 1) // 2
         pair, image = (cells_y - 1 - strip, 1) if mirrored else (strip, 0)
-        lateral = -1.0 + (2 * strip + 1) / cells_y
+        lateral = cell_middle(strip, cells_y)
         cell_length = 2.0 * patch.a * math.sqrt(1.0 - lateral * lateral) / cells_x
-        middle = (position + across * patch.b * lateral - bins.start) / bins.step
+        middle = (spot.position + spot.across * patch.b * lateral - bins.start) / bins.step
         low, high = middle - 0.5 * width, middle + 0.5 * width
         first, end = work.touched[pair, 0], work.touched[pair, 1]
         binned = work.bins[pair, image]
         for place in range(max(math.floor(low), 0), min(math.floor(high), counts.shape[0] - 1) + 1):
             covered = min(high, place + 1.0) - max(low, float(place))
-            weight = revolutions * covered * cell_length / bins.along_step
+            weight = spot.revolutions * covered * cell_length / bins.along_step
             _add_row(first, end, weight, weight * kept, binned, counts[place])

@@ -7,10 +7,9 @@ strength creeps on with every cycle,
     dgamma/dN = C (tau_zx,max(z)/k_eff - 1)  where positive
     k_eff = k0 max(1, beta sqrt(1 - exp(-alpha gamma)))
 
-and fails at the critical strain. Layers do not act on one another. Millions of cycles are stepped in blocks:
-the strain per cycle is taken as a rate and integrated by the pair of Bogacki and Shampine (third order, its
-error estimated by the second) for all layers at once, each block as long as the tolerance allows; no
-tolerance makes it shorter than a cycle.
+and fails at the critical strain. Layers do not act on one another. The strain per cycle is taken as a rate
+and integrated by scipy's pair of Bogacki and Shampine (third order, its error estimated by the second), all
+layers at once, from one failure or wear-off of a layer to the next: millions of cycles in some hundred steps.
 
 Wear carries layers to the surface: the layer at depth z lies at z - wear N after N cycles, feels the stress
 of that depth, and is gone when it arrives.
@@ -19,20 +18,20 @@ Every number but C comes without a confirmed source; see `RatchettingSteel`.
 """
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 import pyarrow
 from numpy.typing import ArrayLike, NDArray
+from scipy.integrate import solve_ivp
 
+from damage.bounds import check_above_zero, check_not_below_zero
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.normal.subsurface import line_contact_stress
 
 _PLACES = 401  # along x, in each of the two passes that seek the largest shear stress
-_BISECTIONS = 60
-_SAFETY, _SHRINK, _GROW = 0.9, 0.2, 5.0  # of the block length, as usual for such pairs
+_ROUNDING = 1e-12  # of strains, relative
 
 
 @dataclass(frozen=True)
@@ -66,9 +65,8 @@ class RatchettingSteel:
 
     def __post_init__(self) -> None:
         for name in ("shear_yield", "rate", "hardening_rate", "hardening_limit", "critical_strain"):
-            value = getattr(self, name)
-            if not (math.isfinite(value) and value > 0.0):
-                raise ValueError(f"{name} = {value} of the ratchetting steel must be finite and > 0")
+            unit = "Pa" if name == "shear_yield" else "-"
+            check_above_zero(name, getattr(self, name), unit, "the ratchetting steel")
         if self.hardening_limit < 1.0:
             raise ValueError(f"hardening_limit = {self.hardening_limit} must be >= 1")
 
@@ -107,8 +105,8 @@ class Ratchetting:
         (L,) cycles at which the layers reached the critical strain; infinite where they did not.
     cycles_to_wear_off
         (L,) cycles at which wear took the layers; infinite where it did not.
-    blocks
-        Blocks of cycles that were stepped.
+    steps
+        Steps of the integration.
     """
 
     depth: FloatArray
@@ -116,7 +114,7 @@ class Ratchetting:
     strain: FloatArray
     cycles_to_failure: FloatArray
     cycles_to_wear_off: FloatArray
-    blocks: int
+    steps: int
 
     @property
     def failed(self) -> NDArray[np.bool_]:
@@ -202,9 +200,9 @@ def ratchet(
     wear_per_cycle
         Depth that wear takes in a cycle [m], >= 0.
     noted
-        Numbers of cycles within 0..cycles at which the strain is kept, besides the end.
+        Numbers of cycles within 0..cycles at which the strain is noted, besides the end.
     tolerance
-        Error of the strain allowed in a block, over the critical strain [-].
+        Error of the strain allowed in a step, over the critical strain [-].
 
     Raises
     ------
@@ -215,88 +213,85 @@ def ratchet(
     stops = np.unique(np.append(np.asarray(noted, np.float64), float(cycles)))
     if not (stops[0] >= 0.0 and stops[-1] == cycles):  # also catches NaN
         raise ValueError(f"noted cycles must lie within 0..{cycles:g}")
-
-    def rate(strain: FloatArray, now: float) -> FloatArray:
-        place = np.maximum(z - wear_per_cycle * now, 0.0)
-        total: FloatArray = np.zeros(z.size)
-        for weight, case in zip(weights, cases, strict=True):
-            felt = case if wear_per_cycle == 0.0 else np.interp(place, z, case)
-            total += weight * steel.strain_per_cycle(felt, strain)
-        return np.where(alive, total, 0.0)
-
     worn_at = z / wear_per_cycle if wear_per_cycle > 0.0 else np.full(z.size, np.inf)
-    failed_at = np.full(z.size, np.inf)
-    alive = worn_at > 0.0
-    # a block must not carry a layer past the places where the stress is given
+    # a step must not carry a layer past the places where the stress is given
     longest = float(np.diff(z).min()) / wear_per_cycle if wear_per_cycle > 0.0 and z.size > 1 else math.inf
-    strain, now, blocks = np.zeros(z.size), 0.0, 0
-    fastest = float(rate(strain, now).max())
-    length = 0.01 * steel.critical_strain / fastest if fastest > 0.0 else math.inf
-    kept = []
+    layers = _Layers(steel, z, cases, weights, wear_per_cycle)
+    strain, now, steps = np.zeros(z.size), 0.0, 0
+    failed_at, noted_strain = np.full(z.size, np.inf), []
     for stop in stops.tolist():
         while now < stop:
-            left = worn_at - now  # a block ends where a layer leaves
-            block = min(length, longest, stop - now, float(left[alive].min(initial=math.inf)))
-            step = _pair_step(rate, strain, now, block)
-            error = step.error / (tolerance * steel.critical_strain)
-            factor = _SAFETY * error ** (-1.0 / 3.0) if error > 0.0 else _GROW
-            if error > 1.0 and block > 1.0:  # a cycle is not divided: the law is one of whole cycles
-                length = max(block * max(factor, _SHRINK), 1.0)
-                continue
-            if block == length or error > 1.0:  # a block cut short by a stop says nothing about the length
-                length = max(block * min(max(factor, _SHRINK), _GROW), 1.0)
-            failed = alive & (step.strain >= steel.critical_strain)
-            if failed.any():
-                share = _share_at(step, strain, block, steel.critical_strain)
-                failed_at[failed] = now + share[failed] * block
-            strain = np.where(failed, steel.critical_strain, step.strain)
-            alive &= ~(failed | (left <= block))
-            now = stop if block == stop - now else now + block
-            blocks += 1
-        kept.append(strain)
+            alive = np.isinf(failed_at) & (worn_at > now)
+            end = min(stop, float(worn_at[alive].min(initial=math.inf)))  # a layer leaves, or a stop
+            step = layers.until_failure(strain, alive, (now, end), longest, tolerance)
+            strain, now, steps = step.strain, step.cycles, steps + step.steps
+            failed = alive & (strain >= steel.critical_strain * (1.0 - _ROUNDING))
+            failed_at[failed] = now
+            strain[failed] = steel.critical_strain
+        noted_strain.append(strain.copy())
     worn_off = np.where(worn_at <= cycles, worn_at, np.inf)
-    return Ratchetting(z, stops, np.array(kept), failed_at, worn_off, blocks)
+    return Ratchetting(z, stops, np.array(noted_strain), failed_at, worn_off, steps)
 
 
-class _Step(NamedTuple):
-    """A block of cycles: strain at its end, rates at both ends, and the error of the worst layer."""
+class _Reached(NamedTuple):
+    """Where an integration ended."""
 
-    strain: FloatArray
-    rate: FloatArray
-    rate_end: FloatArray
-    error: float
-
-
-def _pair_step(
-    rate: Callable[[FloatArray, float], FloatArray], strain: FloatArray, now: float, block: float
-) -> _Step:
-    """One block by the pair of Bogacki and Shampine, Applied Mathematics Letters 2 (1989)."""
-    first = rate(strain, now)
-    second = rate(strain + 0.5 * block * first, now + 0.5 * block)
-    third = rate(strain + 0.75 * block * second, now + 0.75 * block)
-    end = strain + block * (2.0 / 9.0 * first + 1.0 / 3.0 * second + 4.0 / 9.0 * third)
-    fourth = rate(end, now + block)
-    error = block * np.abs(-5.0 / 72.0 * first + 1.0 / 12.0 * second + 1.0 / 9.0 * third - 0.125 * fourth)
-    return _Step(end, first, fourth, float(error.max()))
+    cycles: float
+    strain: FloatArray  # (L,)
+    steps: int
 
 
-def _inside(step: _Step, start: FloatArray, block: float, share: FloatArray) -> FloatArray:
-    """Strain within a block, at a share of it (0..1): the cubic through values and rates at both ends."""
-    rest = 1.0 - share
-    strain: FloatArray = rest * rest * (
-        (1.0 + 2.0 * share) * start + share * block * step.rate
-    ) + share * share * ((1.0 + 2.0 * rest) * step.strain - rest * block * step.rate_end)
-    return strain
+class _Layers(NamedTuple):
+    """Layers and what they are loaded with."""
 
+    steel: RatchettingSteel
+    depth: FloatArray  # (L,)
+    cases: FloatArray  # (cases, L) [Pa]
+    weights: FloatArray  # (cases,)
+    wear_per_cycle: float
 
-def _share_at(step: _Step, start: FloatArray, block: float, strain: float) -> FloatArray:
-    """Share of the block after which the layers reach a strain; of use for those that reach it."""
-    low, high = np.zeros(start.size), np.ones(start.size)
-    for _ in range(_BISECTIONS):
-        middle = 0.5 * (low + high)
-        below = _inside(step, start, block, middle) < strain
-        low, high = np.where(below, middle, low), np.where(below, high, middle)
-    return high
+    def rate(self, cycles: float, strain: FloatArray) -> FloatArray:
+        """(L,) strain per cycle (3.25) after a number of cycles, mean over the load cases."""
+        place = np.maximum(self.depth - self.wear_per_cycle * cycles, 0.0)
+        total: FloatArray = np.zeros(self.depth.size)
+        for weight, case in zip(self.weights, self.cases, strict=True):
+            felt = case if self.wear_per_cycle == 0.0 else np.interp(place, self.depth, case)
+            total += weight * self.steel.strain_per_cycle(felt, strain)
+        return total
+
+    def until_failure(
+        self,
+        strain: FloatArray,
+        alive: NDArray[np.bool_],
+        span: tuple[float, float],
+        longest: float,
+        tolerance: float,
+    ) -> _Reached:
+        """Integrate over a span of cycles, or until the first layer reaches the critical strain.
+
+        The error of a step is bounded for every layer: the norm of scipy is the root of the mean over them.
+        """
+        if not alive.any():
+            return _Reached(span[1], strain, 0)
+        critical = self.steel.critical_strain
+
+        def left(_: float, now: FloatArray) -> float:
+            return critical - float(now[alive].max())
+
+        left.terminal = True  # type: ignore[attr-defined]
+        found = solve_ivp(
+            lambda cycles, now: np.where(alive, self.rate(cycles, now), 0.0),
+            span,
+            strain,
+            method="RK23",
+            max_step=longest,
+            rtol=_ROUNDING,
+            atol=tolerance * critical / math.sqrt(strain.size),
+            events=left,
+        )
+        if not found.success:
+            raise ArithmeticError(f"the strain of the layers cannot be integrated: {found.message}")
+        return _Reached(float(found.t[-1]), found.y[:, -1], found.t.size - 1)
 
 
 def _checked(
@@ -327,8 +322,7 @@ def _checked(
     if weights.shape != (cases.shape[0],) or not (np.all(weights >= 0.0) and abs(weights.sum() - 1.0) < 1e-9):
         raise ValueError(f"shares = {weights} must be >= 0, one for each load case, and add up to 1")
     for name, value, unit in (("cycles", cycles, "-"), ("wear_per_cycle", wear_per_cycle, "m")):
-        if not (math.isfinite(value) and value >= 0.0):
-            raise ValueError(f"{name} = {value} {unit} must be finite and >= 0 {unit}")
+        check_not_below_zero(name, value, unit)
     if not 0.0 < tolerance < 1.0:
         raise ValueError(f"tolerance = {tolerance} [-] must lie in 0..1")
     return z, cases, weights

@@ -11,6 +11,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from damage.bounds import check_above_zero
+
 DEFECT_EXPONENT = 1.0 / 6.0
 """Of the defect's size, by which it lowers the fatigue limit [-]; [M], unconfirmed."""
 
@@ -93,10 +95,9 @@ def defect_fatigue_limit(
     for name, value, unit in (
         ("fatigue_limit", fatigue_limit, "Pa"),
         ("reference_size", reference_size, "m"),
-        ("exponent", exponent, "[-]"),
+        ("exponent", exponent, "-"),
     ):
-        if not (math.isfinite(value) and value > 0.0):
-            raise ValueError(f"{name} = {value} {unit} must be finite and > 0")
+        check_above_zero(name, value, unit)
     size = np.asarray(defect_size, dtype=np.float64)
     if not np.all(size > 0.0):
         raise ValueError(f"defect_size must be > 0 m; {np.count_nonzero(~(size > 0.0))} values are not")

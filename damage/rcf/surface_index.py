@@ -10,6 +10,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from damage.bounds import check_above_zero
+
 FLANGE_ANGLE = math.radians(15.0)
 """Contact angle above which a contact counts as flange contact, flange root included [rad]. Treads stay
 below 10 degrees; S1002 reaches 15 degrees 27 mm from the running circle, at the root of the flange. Flange
@@ -47,8 +49,7 @@ def surface_fatigue_index(
     ValueError
         Values outside these ranges.
     """
-    normal = _checked_load(normal_force, shear_yield)
-    tangential = np.hypot(np.asarray(force_x, dtype=np.float64), np.asarray(force_y, dtype=np.float64))
+    tangential, normal = _checked_load(force_x, force_y, normal_force, shear_yield)
     bearing = 2.0 / 3.0 * math.pi * np.asarray(a, dtype=np.float64) * np.asarray(b, dtype=np.float64)
     with np.errstate(divide="ignore", invalid="ignore"):
         index = (tangential - bearing * shear_yield) / normal  # (3.16)
@@ -71,26 +72,13 @@ def shortest_distance_index(
     high traction and low load, where k/p0, and so the horizontal distance, grows without bound. A contact
     without normal force has index -infinity.
 
-    Parameters
-    ----------
-    force_x, force_y
-        Creep forces [N].
-    normal_force
-        Normal force [N], >= 0.
-    a, b
-        Semi-axes of the patch [m], > 0 where there is a normal force.
-    shear_yield
-        Yield strength in pure shear k [Pa], > 0.
-
-    Raises
-    ------
-    ValueError
-        Values outside these ranges.
+    Parameters and errors are those of `surface_fatigue_index`; the semi-axes must be above zero where there
+    is a normal force.
     """
-    normal = _checked_load(normal_force, shear_yield)
-    tangential = np.hypot(np.asarray(force_x, dtype=np.float64), np.asarray(force_y, dtype=np.float64))
-    area = math.pi * np.asarray(a, dtype=np.float64) * np.asarray(b, dtype=np.float64)
-    tangential, normal, area = np.broadcast_arrays(tangential, normal, area)
+    tangential, normal, area = np.broadcast_arrays(
+        *_checked_load(force_x, force_y, normal_force, shear_yield),
+        math.pi * np.asarray(a, dtype=np.float64) * np.asarray(b, dtype=np.float64),
+    )
     loaded = normal > 0.0
     if not np.all(area[loaded] > 0.0):
         raise ValueError("semi-axes a and b must be > 0 m where normal_force is > 0 N")
@@ -184,14 +172,15 @@ def fatigue_probability(index: ArrayLike, interval: ArrayLike = 1.0) -> float:
     return float(np.sum(time[values > 0.0])) / whole if whole > 0.0 else 0.0
 
 
-def _checked_load(normal_force: ArrayLike, shear_yield: float) -> NDArray[np.float64]:
-    """The normal force as an array, once it and the shear yield strength are in range."""
-    if not (math.isfinite(shear_yield) and shear_yield > 0.0):
-        raise ValueError(f"shear_yield = {shear_yield} Pa must be finite and > 0 Pa")
+def _checked_load(
+    force_x: ArrayLike, force_y: ArrayLike, normal_force: ArrayLike, shear_yield: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Creep force and normal force as arrays, once the normal force and the shear yield are in range."""
+    check_above_zero("shear_yield", shear_yield, "Pa")
     normal = np.asarray(normal_force, dtype=np.float64)
     if not np.all(normal >= 0.0):  # also catches NaN
         raise ValueError(f"normal_force must be >= 0 N; {np.count_nonzero(~(normal >= 0.0))} values are not")
-    return normal
+    return np.hypot(np.asarray(force_x, np.float64), np.asarray(force_y, np.float64)), normal
 
 
 def _checked_series(index: ArrayLike, interval: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

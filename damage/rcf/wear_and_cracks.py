@@ -20,13 +20,13 @@ cut. Wear as fast as the growth holds the cracks where they are; faster, it remo
     distance = depth / (rate of wear - rate of growth)
 """
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 import pyarrow
 from numpy.typing import NDArray
 
+from damage.bounds import check_above_zero
 from damage.surface.lateral_grid import LateralGrid
 from damage.surface.wheel_surface import WheelSurface
 from hh_exudyn.arrays import FloatArray
@@ -64,7 +64,7 @@ class CrackLayer:
     worn: FloatArray
 
     def __post_init__(self) -> None:
-        _check_failure_depth(self.failure_depth)
+        check_above_zero("failure_depth", self.failure_depth, "m", "a crack")
         for name in ("damage", "damage_without_wear", "worn"):
             _check_bins(name, getattr(self, name), self.grid)
 
@@ -140,7 +140,7 @@ def remaining_share(surface: WheelSurface, failure_depth: float) -> NDArray[np.f
     ValueError
         The failure depth is not above zero.
     """
-    _check_failure_depth(failure_depth)
+    check_above_zero("failure_depth", failure_depth, "m", "a crack")
     grown = failure_depth * surface.crack_damage.sum(axis=1)
     left = np.maximum(grown - surface.depth, 0.0)
     return np.divide(left, grown, out=np.zeros_like(grown), where=grown > 0.0)
@@ -176,11 +176,6 @@ def counts_after_wear(
     if failure_depth is not None:
         raise ValueError(f"failure_depth = {failure_depth} m has no use with approach = {approach!r}")
     return surface.corrected_rcf_number if approach == "burstow" else surface.rcf_number
-
-
-def _check_failure_depth(value: float) -> None:
-    if not (math.isfinite(value) and value > 0.0):
-        raise ValueError(f"failure_depth = {value} m of a crack must be finite and > 0 m")
 
 
 def _check_bins(name: str, values: FloatArray, grid: LateralGrid) -> None:

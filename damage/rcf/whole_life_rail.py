@@ -16,6 +16,7 @@ import numpy as np
 import pyarrow
 from numpy.typing import ArrayLike
 
+from damage.bounds import check_above_zero
 from hh_exudyn.arrays import FloatArray
 
 
@@ -51,8 +52,7 @@ class DamageFunction:
                 f"onset = {self.onset} N, peak = {self.peak} N, balance = {self.balance} N "
                 "must rise from 0 N on"
             )
-        if not (math.isfinite(self.peak_damage) and self.peak_damage > 0.0):
-            raise ValueError(f"peak_damage = {self.peak_damage} must be finite and > 0")
+        check_above_zero("peak_damage", self.peak_damage, "-")
 
     def damage(self, wear_number: ArrayLike) -> FloatArray:
         """Damage of a passage [-]: positive for growing cracks, negative for wear.

@@ -1,11 +1,11 @@
 """Contact states as points of the shakedown diagram: utilised friction Q/P and relative pressure p0/k."""
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from damage.bounds import check_above_zero
 from damage.log_input.bad_rows import BadRows
 from damage.log_input.contact_source import ContactSource
 from damage.log_input.contact_states import DAMAGE_COLUMNS, contact_chunks
@@ -54,8 +54,7 @@ def working_point(
     -------
     utilised friction Q/P [-], relative pressure p0/k [-]
     """
-    if not (math.isfinite(shear_yield) and shear_yield > 0.0):
-        raise ValueError(f"shear_yield = {shear_yield} Pa must be finite and > 0 Pa")
+    check_above_zero("shear_yield", shear_yield, "Pa")
     normal = np.asarray(normal_force, dtype=np.float64)
     tangential = np.hypot(np.asarray(force_x, dtype=np.float64), np.asarray(force_y, dtype=np.float64))
     loaded = normal > 0.0

@@ -5,39 +5,28 @@ from typing import NamedTuple
 
 import numpy as np
 
+from damage.cells import cell_middle
+from damage.log_input.states import ContactStates, Elastic, patch_of
 from damage.rcf.burstow import BurstowLimits
 from damage.rcf.local import strip_fatigue
 from damage.rcf.miner import kabo_damage
-from damage.rcf.number import Bins, CountWork, count_patch, count_work
+from damage.rcf.number import Bins, CountWork, Spot, count_patch, count_work
 from damage.surface.lateral_grid import spread
 from damage.surface.patch_field import patch_field
-from damage.wear.strip_wear import strip_wear
-from damage.wear.values import REGIMES, LawValues
-from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.types import Fields, RollingPatch
-from hh_exudyn.kernel import kernel
+from damage.wear.law import REGIMES, LawValues, SolvedPatch
+from hh_exudyn.arrays import FloatArray, IntArray
+from hh_exudyn.contact.types import Fields
+from hh_exudyn.kernel import inlined_kernel, kernel
 
 
-class States(NamedTuple):
-    """Contact states of one wheel, (n,) each, as the loop takes them."""
+class Placed(NamedTuple):
+    """What the loop needs of the contact states of one wheel beside their columns, (n,) each."""
 
-    part: FloatArray  # TREAD or FLANGE
+    part: IntArray  # TREAD or FLANGE
     interval: FloatArray  # [s]
     fatigue_index: FloatArray  # FI_surf [-]
     position: FloatArray  # coordinate on the grid [m]
-    stretch: FloatArray  # what a metre across the patch is on the grid [-]
-    side: FloatArray
-    rolling_radius: FloatArray
-    normal_force: FloatArray
-    a: FloatArray
-    b: FloatArray
-    nu_x: FloatArray
-    nu_y: FloatArray
-    phi: FloatArray
-    friction: FloatArray
-    speed: FloatArray
-    force_x: FloatArray
-    force_y: FloatArray
+    stretch: FloatArray  # a metre across the patch in that coordinate [-]
 
 
 class Sums(NamedTuple):
@@ -59,8 +48,7 @@ class Solving(NamedTuple):
     """How states are solved and judged."""
 
     theory: int  # a value of `patch_field.DAMAGE_THEORIES`
-    shear_modulus: float  # of wheel and rail [Pa]
-    poisson_ratio: float
+    elastic: Elastic  # of wheel and rail
     shear_yield: float  # k [Pa]
     law: LawValues
     limits: BurstowLimits
@@ -88,57 +76,53 @@ def work_space(cells: tuple[int, int], bins_along: int) -> Work:
 
 
 @kernel
-def add_states(states: States, solving: Solving, work: Work, sums: Sums) -> None:
+def add_states(states: ContactStates, placed: Placed, solving: Solving, work: Work, sums: Sums) -> None:
     """Add the states of a wheel to its sums; every patch lies on the grids."""
-    start, step = solving.bins.start, solving.bins.step
-    for row in range(states.part.size):
+    law = solving.law
+    for row in range(placed.part.size):
         if states.normal_force[row] <= 0.0:
             continue  # bodies that touch without force: no pressure, no wear, no fatigue
-        part = int(states.part[row])
-        a, b, speed, radius = states.a[row], states.b[row], states.speed[row], states.rolling_radius[row]
-        position, stretch, interval = states.position[row], states.stretch[row], states.interval[row]
+        part, interval, stretch = placed.part[row], placed.interval[row], placed.stretch[row]
+        speed, radius = states.speed[row], states.rolling_radius[row]
         rolled = speed * interval
         revolutions = rolled / (2.0 * math.pi * radius)
-        spread(position, 2.0 * b * stretch, interval, start, step, sums.contact_time[part])
-        spread(position, 2.0 * b * stretch, revolutions, start, step, sums.contact_revolutions[part])
-        if states.fatigue_index[row] > 0.0:
-            spread(position, 2.0 * b * stretch, interval, start, step, sums.fatigue_time[part])
-            spread(position, 2.0 * b * stretch, revolutions, start, step, sums.fatigue_revolutions[part])
+        spot = Spot(placed.position[row], -states.side[row] * stretch, revolutions, rolled)
+        width = 2.0 * states.b[row] * stretch
+        _add_time(
+            spot, width, interval, solving.bins, sums.contact_time[part], sums.contact_revolutions[part]
+        )
+        if placed.fatigue_index[row] > 0.0:
+            _add_time(
+                spot, width, interval, solving.bins, sums.fatigue_time[part], sums.fatigue_revolutions[part]
+            )
         if rolled <= 0.0:
             continue
-        patch = RollingPatch(
-            a, b, states.normal_force[row], states.nu_x[row], states.nu_y[row], states.phi[row],
-            states.friction[row], solving.shear_modulus, solving.poisson_ratio,
-        )  # fmt: skip
+        patch = patch_of(states, row, solving.elastic)
         patch_field(solving.theory, patch, states.force_x[row], states.force_y[row], work.fields)
-        strip_wear(solving.law, patch, work.fields, speed, radius, work.depth)
+        law.depths(law.numbers, SolvedPatch(patch, work.fields, speed, radius), work.depth)
         strip_fatigue(work.fields, solving.shear_yield, patch.friction, work.fatigue_index)
-        across = -states.side[row] * stretch
         count_patch(
-            patch, work.fields, work.fatigue_index, solving.shear_yield, solving.limits, position, across,
-            revolutions, solving.bins, work.counting, sums.counts[part],
+            patch, work.fields, work.fatigue_index, solving.shear_yield, solving.limits, spot, solving.bins,
+            work.counting, sums.counts[part],
         )  # fmt: skip
-        _add_strips(b, stretch, position, across, revolutions, rolled, start, step, part, work, sums)
+        _add_strips(patch.b, spot, solving.bins, part, work, sums)
+
+
+@inlined_kernel
+def _add_time(
+    spot: Spot, width: float, interval: float, bins: Bins, time: FloatArray, revolutions: FloatArray
+) -> None:
+    """Add the time and the revolutions of a state to the bins that its patch covers."""
+    spread(spot.position, width, interval, bins.start, bins.step, time)
+    spread(spot.position, width, spot.revolutions, bins.start, bins.step, revolutions)
 
 
 @kernel
-def _add_strips(
-    b: float,
-    stretch: float,
-    position: float,
-    across: float,
-    revolutions: float,
-    rolled: float,
-    start: float,
-    step: float,
-    part: int,
-    work: Work,
-    sums: Sums,
-) -> None:
-    """Add what is known of every strip of a patch: its wear and its largest indices."""
-    cells_y = work.depth.shape[0]
+def _add_strips(b: float, spot: Spot, bins: Bins, part: int, work: Work, sums: Sums) -> None:
+    """Add what every strip of a patch wears, and its largest index."""
+    cells_y, stretch = work.depth.shape[0], abs(spot.across)
     width = 2.0 * b / cells_y
-    half = 0.5 * width * stretch / step
+    half = 0.5 * width * stretch / bins.step
     v0, v1, v2, v3 = 0.0, 0.0, 0.0, 0.0  # by regime, side by side as one vector
     for strip in range(cells_y):
         d0, d1, d2, d3 = (
@@ -149,20 +133,20 @@ def _add_strips(
         )
         v0, v1, v2, v3 = v0 + d0, v1 + d1, v2 + d2, v3 + d3
         depth = (d0 + d1) + (d2 + d3)
-        depth *= revolutions
-        ratchets = revolutions if work.fatigue_index[strip] > 0.0 else 0.0
-        damage = kabo_damage(work.fatigue_index[strip]) * revolutions
-        middle = (position + across * b * (-1.0 + (2 * strip + 1) / cells_y) - start) / step
+        depth *= spot.revolutions
+        ratchets = spot.revolutions if work.fatigue_index[strip] > 0.0 else 0.0
+        damage = kabo_damage(work.fatigue_index[strip]) * spot.revolutions
+        middle = (spot.position + spot.across * b * cell_middle(strip, cells_y) - bins.start) / bins.step
         low, high = middle - half, middle + half
         for place in range(max(int(low), 0), min(int(high), sums.depth.size - 1) + 1):
             covered = min(high, place + 1.0) - max(low, float(place))
             sums.depth[place] += depth * covered
             # the depth is normal to the surface, which is wider than its shadow on the lateral coordinate
-            sums.worn_area[place] += depth * covered * step / stretch
+            sums.worn_area[place] += depth * covered * bins.step / stretch
             if ratchets > 0.0:
                 sums.ratchet_revolutions[part, place] += ratchets * covered
                 sums.crack_damage[part, place] += damage * covered
-    volume = width * rolled
+    volume = width * spot.rolled
     sums.worn_volume[0] += v0 * volume
     sums.worn_volume[1] += v1 * volume
     sums.worn_volume[2] += v2 * volume

@@ -11,8 +11,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from damage.bounds import check_above_zero
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile
+from hh_exudyn.contact.profiles.cleaning import arc_length
 from hh_exudyn.kernel import kernel
 
 _MARGIN = 0.010  # bins beyond the ends of a profile: an equivalent ellipse may hang over them [m]
@@ -46,7 +48,7 @@ class ProfileArc:
         """
         if wheel.kind != "wheel":
             raise ValueError(f"profile {wheel.name!r} is a {wheel.kind}'s; damage needs a wheel's")
-        arc = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(wheel.y), np.diff(wheel.z)))])
+        arc = arc_length(wheel.y, wheel.z)
         arc -= np.interp(0.0, wheel.y, arc)
         ends = _MARGIN * np.array([-1.0, 1.0])
         y = np.concatenate([[wheel.y[0] + ends[0]], wheel.y, [wheel.y[-1] + ends[1]]])
@@ -101,8 +103,7 @@ class LateralGrid:
         ValueError
             The profile is a rail's, or the step is not above zero.
         """
-        if not (math.isfinite(step) and step > 0.0):
-            raise ValueError(f"step = {step} m must be finite and > 0 m")
+        check_above_zero("step", step, "m")
         arc = ProfileArc.of(wheel)
         first, last = math.floor(arc.arc[0] / step), math.ceil(arc.arc[-1] / step)
         return cls(first * step, step, last - first, arc)

@@ -7,6 +7,7 @@ assumes (Hossein-Nia 2018, figure 3-19); the field's force then exceeds the logg
 
 import math
 
+from damage.cells import cell_middle
 from hh_exudyn.contact.normal.hertz import peak_pressure
 from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel
 from hh_exudyn.contact.types import Fields, RollingPatch
@@ -39,10 +40,10 @@ def _full_slip(patch: RollingPatch, force_x: float, force_y: float, fields: Fiel
     limit_x = patch.friction * force_x / force if force > 0.0 else 0.0
     limit_y = patch.friction * force_y / force if force > 0.0 else 0.0
     for j in range(cells_y):
-        lateral = -1.0 + (2 * j + 1) / cells_y
+        lateral = cell_middle(j, cells_y)
         cosine = math.sqrt(1.0 - lateral * lateral)
         for i in range(cells_x):
-            xi = -1.0 + (2 * i + 1) / cells_x
+            xi = cell_middle(i, cells_x)
             pressure = peak * cosine * math.sqrt(1.0 - xi * xi)
             fields.pressure[j, i] = pressure
             fields.q_x[j, i], fields.q_y[j, i] = limit_x * pressure, limit_y * pressure

@@ -7,15 +7,15 @@ a factor, as all of them count revolutions of the wheel:
     0.3 * curve.scaled(50e6) + 0.7 * straight.scaled(50e6)
 """
 
-import math
 from dataclasses import dataclass, fields, replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from damage.bounds import check_not_below_zero
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
-from damage.wear.values import REGIMES
+from damage.wear.law import REGIMES
 
 DEFAULT_PATCH_GRID = PatchGrid()
 TREAD, FLANGE = 0, 1  # columns of the arrays that tell contact on the tread from contact on the flange
@@ -191,8 +191,7 @@ class WheelSurface:
         ValueError
             The weight is not finite, or below zero.
         """
-        if not (math.isfinite(weight) and weight >= 0.0):
-            raise ValueError(f"weight = {weight} [-] of a surface must be finite and >= 0")
+        check_not_below_zero("weight", weight, "-", "a surface")
         sums = {
             field.name: weight * getattr(self, field.name)
             for field in fields(self)
@@ -213,8 +212,7 @@ class WheelSurface:
         ValueError
             The distance is not finite, or below zero, or nothing has rolled yet.
         """
-        if not (math.isfinite(distance) and distance >= 0.0):
-            raise ValueError(f"distance = {distance} m must be finite and >= 0 m")
+        check_not_below_zero("distance", distance, "m")
         if self.distance <= 0.0:
             raise ValueError("surfaces that have not rolled cannot be scaled to a distance")
         return (distance / self.distance) * self

@@ -1,25 +1,23 @@
 """Wear of the wheel: every law through one call.
 
-A law is made by name and then used like any other, on a batch of contact states or in the accumulation:
+A law is made by name and then used like any other, on a batch of contact states or in the sums over a log:
 
     law = wear_law("archard", surface="lubricated")
     depths = wear_depths(law, states)          # `damage.wear.batch`
 
-============================  ======================================================================
-`damage.wear.laws`            `wear_law`: a law by name
-`damage.wear.batch`           `wear_depths`: many contact states by any law
-`damage.wear.energy`          wear number, and the energy that friction dissipates in the cells
-`damage.wear.archard`         Archard: depth from pressure and sliding distance, cell by cell
-`damage.wear.jendel`          its wear coefficient over sliding velocity and pressure
-`damage.wear.british_rail`    British Rail: worn area from the wear number
-`damage.wear.usfd`            Sheffield: wear number over contact area; Ward's cells
-`damage.wear.krause_poll`     Krause and Poll: volume from work and power density
-`damage.wear.wear_ratio`      depth over energy per lateral position, to spare full steps
-`damage.wear.law`             what a law is
-`damage.wear.rate`            piecewise linear rates of the energy laws
-`damage.wear.strip_wear`      the one kernel: depth per strip of a patch, whatever the law
-`damage.wear.values`          a law as the kernels take it
-============================  ======================================================================
+===============  ==================================================================================
+`laws`           a record per law, those of other packages included; `wear_law` makes one by name
+`law`            `WearLaw`: a kernel and its numbers
+`batch`          `wear_depths`: many contact states by any law
+`energy`         wear number, and the energy that friction dissipates in the cells
+`archard`        Archard: depth from pressure and sliding distance, cell by cell
+`jendel`         its wear coefficient over sliding velocity and pressure
+`british_rail`   British Rail: worn area from the wear number
+`usfd`           Sheffield: wear number over contact area; Ward's cells
+`krause_poll`    Krause and Poll: volume from work and power density
+`rate`           piecewise linear rates of the energy laws
+`wear_ratio`     depth over energy per lateral position, to spare full steps
+===============  ==================================================================================
 
 Every number of a law lies with its source in ``damage/data/wear.toml``.
 """

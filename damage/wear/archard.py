@@ -16,13 +16,13 @@ Hertz's in the middle and meets seizure sooner.
 
 import math
 from dataclasses import replace
+from typing import NamedTuple
 
+from damage.cells import cell_middle
 from damage.parameters import parameters
-from damage.wear.jendel import JENDEL_REGIMES, JendelMap, wear_coefficient, wear_regime
-from damage.wear.law import WearLaw, require_known
-from damage.wear.values import ARCHARD, NO_RATE, REGIMES, LawValues
+from damage.wear.jendel import JENDEL_REGIMES, JendelMap, MapValues, wear_coefficient, wear_regime
+from damage.wear.law import REGIMES, SolvedPatch, WearLaw, require_known
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
 DRY = JendelMap()
@@ -66,36 +66,38 @@ def archard(
         raise ValueError(f"divisor = {divisor}: a dry surface has none; name the surface it is for")
     if hardness is not None:
         wear_map = replace(wear_map, hardness=hardness)
-    values = LawValues(ARCHARD, slip == "rigid", wear_map.divided(divisor).values, NO_RATE)
-    return WearLaw("archard", JENDEL_REGIMES, values)
+    numbers = (float(slip == "rigid"), *wear_map.divided(divisor).values)
+    return WearLaw("archard", JENDEL_REGIMES, archard_depths, numbers)
+
+
+class ArchardValues(NamedTuple):
+    """Archard's law as its kernel takes it."""
+
+    rigid: bool  # sliding distances from the rigid slip in the slip zone, not from the field's own slip
+    map: MapValues
 
 
 @kernel
-def archard_depths(
-    law: LawValues, patch: RollingPatch, fields: Fields, speed: float, depth: FloatArray
-) -> None:
-    """Wear depth on the wheel per revolution, by strip and region of the map.
+def read_archard(numbers: FloatArray) -> ArchardValues:
+    """The law in its numbers."""
+    wear_map = MapValues(
+        numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], numbers[6], numbers[7], numbers[8]
+    )
+    return ArchardValues(numbers[0] != 0.0, wear_map)
 
-    Parameters
-    ----------
-    law
-        Archard's law: its map, and which slip.
-    patch
-        The patch that the fields belong to.
-    fields
-        (ny, nx) stress and slip.
-    speed
-        Forward speed [m/s].
-    depth
-        (ny, REGIMES) result [m].
-    """
-    pressure, slip_x, slip_y = fields.pressure, fields.slip_x, fields.slip_y
+
+@kernel
+def archard_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
+    """Wear depth on the wheel per revolution, by strip and region of the map: a `LawKernel`."""
+    patch, speed = solved.patch, solved.speed
+    pressure, slip_x, slip_y = solved.fields.pressure, solved.fields.slip_x, solved.fields.slip_y
     cells_y, cells_x = pressure.shape
-    wear_map, rigid, step = law.map, law.rigid, 2.0 / cells_x
+    law, step = read_archard(numbers), 2.0 / cells_x
+    wear_map, rigid = law.map, law.rigid
     for j in range(cells_y):
         for regime in range(REGIMES):
             depth[j, regime] = 0.0
-        lateral = -1.0 + (2 * j + 1) / cells_y
+        lateral = cell_middle(j, cells_y)
         half_length = patch.a * math.sqrt(1.0 - lateral * lateral)
         rigid_x = patch.nu_x - patch.phi * patch.b * lateral
         for i in range(cells_x):

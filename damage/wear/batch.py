@@ -7,38 +7,20 @@ wear_depths(wear_law("usfd"), states)
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import pyarrow
 
+from damage.cells import cell_middles
+from damage.log_input.states import ContactStates, Elastic, contact_states, patch_of
 from damage.wear.energy import strip_energies
-from damage.wear.law import WearLaw, require_known
-from damage.wear.strip_wear import strip_wear
-from damage.wear.values import REGIMES, LawValues
+from damage.wear.law import REGIMES, LawValues, SolvedPatch, WearLaw, require_known
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel
-from hh_exudyn.contact.types import Fields, RollingPatch
+from hh_exudyn.contact.types import Fields
 from hh_exudyn.kernel import kernel
-
-
-class WearStates(NamedTuple):
-    """Contact states, (n,) each: the columns of a contact log that wear depends on, SI units."""
-
-    a: FloatArray
-    b: FloatArray
-    normal_force: FloatArray
-    nu_x: FloatArray
-    nu_y: FloatArray
-    phi: FloatArray
-    friction: FloatArray
-    speed: FloatArray
-    rolling_radius: FloatArray
-
-
-_ABOVE_ZERO = {"speed": "m/s", "rolling_radius": "m"}
-_NOT_BELOW_ZERO = {"a": "m", "b": "m", "normal_force": "N", "friction": "-"}
 
 
 @dataclass(frozen=True)
@@ -106,8 +88,8 @@ def wear_depths(
     law
         From `damage.wear.laws.wear_law`.
     states
-        The columns of `WearStates`, numbers or (n,) arrays, as a mapping or a contact log's table; other
-        columns are passed over.
+        The columns `damage.log_input.states.WEAR_COLUMNS`, numbers or (n,) arrays, as a mapping or a contact
+        log's table; other columns are passed over.
     theory
         Name of a tangential theory with a field.
     cells
@@ -123,64 +105,31 @@ def wear_depths(
     require_known("theory", theory, FIELD_THEORIES)
     if min(cells) < 1:
         raise ValueError(f"cells = {cells} must be at least 1 along and across")
-    columns = wear_states(states)
+    columns = contact_states(states)
     count = columns.a.size
     by_regime = np.zeros((count, cells[1], REGIMES))
     energy = np.zeros((count, cells[1]))
     fields = Fields(*np.zeros((5, cells[1], cells[0])))
-    _wear_states(
-        law.values, columns, THEORIES[theory], material.shear_modulus, material.poisson_ratio, fields,
-        by_regime, energy,
-    )  # fmt: skip
-    lateral = -1.0 + (2.0 * np.arange(cells[1]) + 1.0) / cells[1]
-    return WearDepths(
-        law, columns.b[:, None] * lateral[None, :], 2.0 * columns.b / cells[1], by_regime, energy
-    )
-
-
-def wear_states(states: Mapping[str, Any] | pyarrow.Table) -> WearStates:
-    """The states as (n,) arrays of their own; arguments and errors as `wear_depths`."""
-    given = set(states.column_names) if isinstance(states, pyarrow.Table) else set(states)
-    if missing := [name for name in WearStates._fields if name not in given]:
-        raise ValueError(f"contact states: {', '.join(missing)} missing")
-    arrays = [np.asarray(states[name], dtype=np.float64) for name in WearStates._fields]
-    columns = WearStates._make(np.array(array, ndmin=1) for array in np.broadcast_arrays(*arrays))
-    if columns.a.ndim != 1:
-        raise ValueError(
-            f"contact states: shape {columns.a.shape}; numbers or arrays of one length are needed"
-        )
-    for name, values in columns._asdict().items():
-        bad, demand = ~np.isfinite(values), "finite"
-        if name in _ABOVE_ZERO:
-            bad, demand = bad | (values <= 0.0), f"finite and > 0 {_ABOVE_ZERO[name]}"
-        elif name in _NOT_BELOW_ZERO:
-            bad, demand = bad | (values < 0.0), f"finite and >= 0 {_NOT_BELOW_ZERO[name]}"
-        if bad.any():
-            row = int(np.argmax(bad))
-            raise ValueError(
-                f"contact states: {name} = {values[row]} in row {row} must be {demand} "
-                f"({int(bad.sum())} such rows)"
-            )
-    return columns
+    elastic = Elastic(material.shear_modulus, material.poisson_ratio)
+    _wear_states(law.values, columns, THEORIES[theory], elastic, fields, by_regime, energy)
+    y = columns.b[:, None] * cell_middles(cells[1])[None, :]
+    return WearDepths(law, y, 2.0 * columns.b / cells[1], by_regime, energy)
 
 
 @kernel
 def _wear_states(
     law: LawValues,
-    states: WearStates,
+    states: ContactStates,
     theory: int,
-    shear_modulus: float,
-    poisson_ratio: float,
+    elastic: Elastic,
     fields: Fields,
     by_regime: FloatArray,
     energy: FloatArray,
 ) -> None:
     """Fill the depths and energies of all states."""
     for row in range(states.a.size):
-        patch = RollingPatch(
-            states.a[row], states.b[row], states.normal_force[row], states.nu_x[row], states.nu_y[row],
-            states.phi[row], states.friction[row], shear_modulus, poisson_ratio,
-        )  # fmt: skip
+        patch = patch_of(states, row, elastic)
         field_kernel(theory, patch, fields)
-        strip_wear(law, patch, fields, states.speed[row], states.rolling_radius[row], by_regime[row])
+        solved = SolvedPatch(patch, fields, states.speed[row], states.rolling_radius[row])
+        law.depths(law.numbers, solved, by_regime[row])
         strip_energies(patch, fields, energy[row])

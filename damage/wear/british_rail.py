@@ -14,9 +14,10 @@ the patch's energy that it dissipates.
 import math
 
 from damage.parameters import parameters
-from damage.wear.law import WearLaw
-from damage.wear.rate import rate_in_regime, rate_regime, rate_values
-from damage.wear.values import BRITISH_RAIL, NO_MAP, LawValues, RateValues
+from damage.wear.energy import depths_by_energy, energies_of_strips
+from damage.wear.law import SolvedPatch, WearLaw
+from damage.wear.rate import Rate, rate_in_regime, rate_numbers, rate_regime, read_rate
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import kernel
 
 _SI = 1e-12  # [m^3/m] in [mm^3/km]: of the loss per kilometre times the diameter
@@ -28,17 +29,17 @@ def british_rail(continuous: bool = False) -> WearLaw:
     severe_from = number["severe_from"]
     if continuous:
         severe_from = (number["plateau"] - number["severe_offset"]) / number["severe_slope"]  # 150.4 N
-    rate = rate_values(
+    numbers = rate_numbers(
         limits=(number["mild_to"], severe_from),
         slopes=(number["mild_slope"] * _SI, 0.0, number["severe_slope"] * _SI),
         offsets=(0.0, number["plateau"] * _SI, number["severe_offset"] * _SI),
     )
     regimes = ("mild", "plateau", "severe")
-    return WearLaw("british_rail", regimes, LawValues(BRITISH_RAIL, False, NO_MAP, rate))
+    return WearLaw("british_rail", regimes, british_rail_depths, numbers)
 
 
 @kernel
-def british_rail_volume(energy: float, rolling_radius: float, rate: RateValues) -> tuple[int, float]:
+def british_rail_volume(energy: float, rolling_radius: float, rate: Rate) -> tuple[int, float]:
     """Regime, and worn volume per metre rolled [m^3/m]: the area per metre, all around the wheel.
 
     Wear number [N], radius of the wheel at the contact [m]. The diameter cancels: a smaller wheel loses more
@@ -48,3 +49,12 @@ def british_rail_volume(energy: float, rolling_radius: float, rate: RateValues) 
     regime = rate_regime(energy, rate)
     area = rate_in_regime(regime, energy, rate) / diameter  # (3.30) [m^2/m]
     return regime, area * math.pi * diameter
+
+
+@kernel
+def british_rail_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
+    """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`."""
+    energy = energies_of_strips(solved, depth)
+    if energy > 0.0:
+        regime, volume = british_rail_volume(energy, solved.rolling_radius, read_rate(numbers))
+        depths_by_energy(regime, volume, energy, solved.patch, depth)

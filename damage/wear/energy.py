@@ -10,6 +10,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from damage.cells import cell_middle
+from damage.wear.law import SolvedPatch
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.tangential.api import TractionField
 from hh_exudyn.contact.types import Fields, RollingPatch
@@ -74,10 +76,57 @@ def strip_energies(patch: RollingPatch, fields: Fields, energies: FloatArray) ->
     cell = 4.0 * patch.a * patch.b / (cells_x * cells_y)
     total = 0.0
     for j in range(cells_y):
-        lateral = -1.0 + (2 * j + 1) / cells_y
+        lateral = cell_middle(j, cells_y)
         density = 0.0
         for i in range(cells_x):
             density -= q_x[j, i] * slip_x[j, i] + q_y[j, i] * slip_y[j, i]
         energies[j] = density * cell * math.sqrt(1.0 - lateral * lateral)
         total += energies[j]
     return total
+
+
+@kernel
+def energies_of_strips(solved: SolvedPatch, depth: FloatArray) -> float:
+    """Energy that a patch dissipates per distance rolled [N], above zero; 0 where nothing slips.
+
+    Parameters
+    ----------
+    solved
+        The patch.
+    depth
+        (ny, REGIMES) result: the energies of the strips [N] in the first column, the others zero.
+    """
+    depth[:] = 0.0
+    energy = strip_energies(solved.patch, solved.fields, depth[:, 0])
+    if energy > 0.0:
+        return energy
+    depth[:] = 0.0
+    return 0.0
+
+
+@kernel
+def depths_by_energy(
+    regime: int, volume: float, energy: float, patch: RollingPatch, depth: FloatArray
+) -> None:
+    """Spread a worn volume over the strips of a patch, to each the share of the energy that it dissipates.
+
+    Parameters
+    ----------
+    regime
+        Column of `depth` that the result goes to.
+    volume
+        Worn off per metre rolled [m^3/m].
+    energy
+        Dissipated by the whole patch per metre rolled [N], > 0.
+    patch
+        The patch.
+    depth
+        (ny, REGIMES); its first column holds the energies of the strips [N], the others are zero; result:
+        wear depth per revolution [m].
+    """
+    cells_y = depth.shape[0]
+    volume_per_energy = volume / energy
+    for j in range(cells_y):
+        dissipated = depth[j, 0]
+        depth[j, 0] = 0.0
+        depth[j, regime] = dissipated * volume_per_energy * cells_y / (2.0 * patch.b)

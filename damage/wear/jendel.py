@@ -4,17 +4,31 @@ T. Jendel, Prediction of wheel profile wear - comparisons with field measurement
 Figure 3-23 of Hossein-Nia (2018).
 """
 
-import math
 from dataclasses import dataclass, fields, replace
+from typing import NamedTuple
 
+from damage.bounds import check_above_zero
 from damage.parameters import parameters
-from damage.wear.values import MapValues
 from hh_exudyn.kernel import kernel
 
 JENDEL_REGIMES = ("mild, slow", "severe", "mild, fast", "seizure")
 """Regions of the map, in the order of the regime columns."""
 
+_UNITS = {name: parameter.unit for name, parameter in parameters("wear", "jendel").items()}
 _DATA = {name: parameter.value for name, parameter in parameters("wear", "jendel").items()}
+
+
+class MapValues(NamedTuple):
+    """The map as the kernels take it; `JendelMap` has the meanings."""
+
+    mild_slow: float
+    severe: float
+    mild_fast: float
+    seizure: float
+    severe_from: float
+    severe_to: float
+    seizure_pressure: float  # [Pa]
+    hardness: float
 
 
 @dataclass(frozen=True)
@@ -58,9 +72,7 @@ class JendelMap:
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            value = getattr(self, field.name)
-            if not (math.isfinite(value) and value > 0.0):
-                raise ValueError(f"{field.name} = {value} of the wear map must be finite and > 0")
+            check_above_zero(field.name, getattr(self, field.name), _UNITS[field.name], "the wear map")
         if self.severe_from >= self.severe_to:
             raise ValueError(
                 f"severe_from = {self.severe_from} m/s must lie below severe_to = {self.severe_to} m/s"
@@ -72,8 +84,7 @@ class JendelMap:
         Natural lubrication divides by about 6 (Jendel; Hossein-Nia 2018, p. 70), grease by about 100 (Zhu;
         ibid.).
         """
-        if not (math.isfinite(divisor) and divisor > 0.0):
-            raise ValueError(f"divisor = {divisor} [-] must be finite and > 0")
+        check_above_zero("divisor", divisor, "-")
         return replace(
             self,
             mild_slow=self.mild_slow / divisor,

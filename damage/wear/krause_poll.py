@@ -12,9 +12,11 @@ import math
 from collections.abc import Sequence
 from itertools import pairwise
 
-from damage.wear.law import WearLaw
-from damage.wear.rate import rate_in_regime, rate_regime, rate_values
-from damage.wear.values import KRAUSE_POLL, NO_MAP, REGIMES, LawValues, RateValues
+from damage.bounds import check_above_zero
+from damage.wear.energy import depths_by_energy, energies_of_strips
+from damage.wear.law import REGIMES, SolvedPatch, WearLaw
+from damage.wear.rate import Rate, rate_in_regime, rate_numbers, rate_regime, read_rate
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.types import RollingPatch
 from hh_exudyn.kernel import kernel
 
@@ -44,24 +46,30 @@ def krause_poll(coefficients: Sequence[float], power_densities: Sequence[float])
         ("power_densities", "W/m^2", power_densities),
     ):
         for value in values:
-            if not (math.isfinite(value) and value > 0.0):
-                raise ValueError(f"{name}: {value} {unit} must be finite and > 0 {unit}")
+            check_above_zero(name, value, unit)
     for low, high in pairwise(power_densities):
         if low >= high:
             raise ValueError(f"power_densities must rise: {low} W/m^2 is followed by {high} W/m^2")
-    rate = rate_values(power_densities, coefficients, [0.0] * len(coefficients))
+    numbers = rate_numbers(power_densities, coefficients, [0.0] * len(coefficients))
     names = (
         ("mild", "severe")
         if len(coefficients) == 2
         else tuple(f"regime {number + 1}" for number in range(len(coefficients)))
     )
-    return WearLaw("krause_poll", names, LawValues(KRAUSE_POLL, False, NO_MAP, rate))
+    return WearLaw("krause_poll", names, krause_poll_depths, numbers)
 
 
 @kernel
-def krause_poll_volume(
-    energy: float, patch: RollingPatch, speed: float, rate: RateValues
-) -> tuple[int, float]:
+def krause_poll_volume(energy: float, patch: RollingPatch, speed: float, rate: Rate) -> tuple[int, float]:
     """Regime, and worn volume per metre rolled [m^3/m] of the wear number [N] at a speed [m/s]."""
     regime = rate_regime(energy * speed / (math.pi * patch.a * patch.b), rate)  # (3.32)
     return regime, rate_in_regime(regime, energy, rate)  # (3.31)
+
+
+@kernel
+def krause_poll_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
+    """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`."""
+    energy = energies_of_strips(solved, depth)
+    if energy > 0.0:
+        regime, volume = krause_poll_volume(energy, solved.patch, solved.speed, read_rate(numbers))
+        depths_by_energy(regime, volume, energy, solved.patch, depth)

@@ -1,27 +1,96 @@
-"""What a wear law is, whichever it is."""
+"""A wear law: a kernel that gives the wear depths of a solved patch, and the numbers it takes."""
 
+import math
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
+from typing import Any, NamedTuple
 
-from damage.wear.values import LawValues
+import numpy as np
+
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.types import Fields, RollingPatch
+from hh_exudyn.kernel import kernel_value
+
+REGIMES = 4  # columns of a strip's depth: the regimes of a law; those that a law does not have stay 0
+
+
+class SolvedPatch(NamedTuple):
+    """A contact state as the wear laws take it."""
+
+    patch: RollingPatch
+    fields: (
+        Fields  # (ny, nx) pressure, traction and slip, of a field kernel of `hh_exudyn.contact.tangential`
+    )
+    speed: float  # forward [m/s], > 0
+    rolling_radius: float  # of the wheel at the contact [m], > 0
+
+
+LawKernel = Callable[[FloatArray, SolvedPatch, FloatArray], None]
+"""Signature of a wear law's kernel: ``(numbers, solved, depth)``.
+
+It fills ``depth`` (ny, REGIMES), the wear depth on the wheel per revolution [m], normal to the surface, by
+strip of the patch and regime of the law, and returns nothing. ``numbers`` are the law's own
+(`WearLaw.numbers`), ``solved`` is the `SolvedPatch`.
+
+A strip that loses the depth dz per revolution all around the wheel, 2 pi r, loses the volume dz times its
+width per metre rolled: so depth per revolution times width, summed over the strips, is the worn volume per
+metre rolled.
+"""
+
+
+class LawValues(NamedTuple):
+    """A wear law as the kernels take it: ``law.depths(law.numbers, solved, depth)``."""
+
+    depths: Any  # `kernel_value` of a `LawKernel`
+    numbers: FloatArray  # (n,)
 
 
 @dataclass(frozen=True)
 class WearLaw:
-    """A wear law with its numbers; `damage.wear.laws.wear_law` makes it.
+    """A wear law with its numbers; `damage.wear.laws.wear_law` makes it by name.
 
     Attributes
     ----------
     name
-        One of `values.LAWS`.
+        Name of its record in `damage.wear.laws`.
     regimes
-        What the law calls its regimes, one a column of the strips' depth; further columns stay 0.
-    values
-        The law for the kernels.
+        Names of its regimes, one to `REGIMES`: columns of the strips' depth.
+    depths
+        Its kernel, a `LawKernel`.
+    numbers
+        Numbers that the kernel takes, SI units; infinity where a law uses it, never NaN.
+
+    Raises
+    ------
+    ValueError
+        No regime or more than `REGIMES`, or a number that is NaN.
     """
 
     name: str
     regimes: tuple[str, ...]
-    values: LawValues
+    depths: LawKernel
+    numbers: tuple[float, ...]
+
+    def __post_init__(self) -> None:
+        if not 1 <= len(self.regimes) <= REGIMES:
+            raise ValueError(
+                f"wear law {self.name!r} has {len(self.regimes)} regimes, allowed 1 .. {REGIMES}"
+            )
+        if any(math.isnan(number) for number in self.numbers):
+            raise ValueError(f"wear law {self.name!r}: numbers = {self.numbers} must not be NaN")
+
+    @property
+    def values(self) -> LawValues:
+        """The law for the kernels."""
+        return _values(self.depths, self.numbers)
+
+
+@cache
+def _values(depths: LawKernel, numbers: tuple[float, ...]) -> LawValues:
+    array = np.array(numbers, dtype=np.float64)
+    solved = SolvedPatch(RollingPatch(*[0.0] * 9), Fields(*np.zeros((5, 1, 1))), 0.0, 0.0)
+    return LawValues(kernel_value(depths, array, solved, np.zeros((1, REGIMES))), array)
 
 
 def require_known(what: str, given: str, known: tuple[str, ...]) -> None:

@@ -2,20 +2,54 @@
 
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
-from damage.wear.values import REGIMES, RateValues
+from damage.wear.law import REGIMES
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import kernel
 
 
-def rate_values(limits: Sequence[float], slopes: Sequence[float], offsets: Sequence[float]) -> RateValues:
-    """The rate for the kernels, filled up to `REGIMES` regimes with ones that never hold."""
+class Rate(NamedTuple):
+    """A piecewise linear rate of wear: slope times energy plus offset, in the regime that holds.
+
+    The regime is the number of limits at or below the quantity that the law looks at; SI units of the law.
+    """
+
+    limits: tuple[float, ...]  # REGIMES - 1, rising; infinite where there are fewer regimes
+    slopes: tuple[float, ...]  # REGIMES
+    offsets: tuple[float, ...]  # REGIMES
+
+
+def rate_numbers(
+    limits: Sequence[float], slopes: Sequence[float], offsets: Sequence[float]
+) -> tuple[float, ...]:
+    """The numbers of a law that has a rate alone, as `read_rate` takes them.
+
+    Parameters
+    ----------
+    limits
+        Where one regime passes into the next, rising; one less than slopes.
+    slopes, offsets
+        Of one to `REGIMES` regimes.
+    """
     spare = REGIMES - len(slopes)
     more = (0.0,) * spare
-    return RateValues((*limits, *(math.inf,) * spare), (*slopes, *more), (*offsets, *more))
+    numbers = (*limits, *(math.inf,) * spare, *slopes, *more, *offsets, *more)
+    return tuple(float(number) for number in numbers)
 
 
 @kernel
-def rate_regime(quantity: float, rate: RateValues) -> int:
+def read_rate(numbers: FloatArray) -> Rate:
+    """The rate in a law's numbers: the inverse of `rate_numbers`, filled up to `REGIMES` regimes."""
+    return Rate(
+        (numbers[0], numbers[1], numbers[2]),
+        (numbers[3], numbers[4], numbers[5], numbers[6]),
+        (numbers[7], numbers[8], numbers[9], numbers[10]),
+    )
+
+
+@kernel
+def rate_regime(quantity: float, rate: Rate) -> int:
     """The regime that holds: the number of limits at or below the quantity."""
     regime = 0
     for limit in rate.limits:
@@ -25,6 +59,6 @@ def rate_regime(quantity: float, rate: RateValues) -> int:
 
 
 @kernel
-def rate_in_regime(regime: int, energy: float, rate: RateValues) -> float:
+def rate_in_regime(regime: int, energy: float, rate: Rate) -> float:
     """Slope times energy plus offset."""
     return rate.slopes[regime] * energy + rate.offsets[regime]

@@ -17,13 +17,13 @@ stick do not wear.
 
 import math
 
+from damage.bounds import check_above_zero
+from damage.cells import cell_middle
 from damage.parameters import parameters
-from damage.wear.energy import cell_energy
-from damage.wear.law import WearLaw
-from damage.wear.rate import rate_in_regime, rate_regime, rate_values
-from damage.wear.values import NO_MAP, REGIMES, USFD, WARD, LawValues, RateValues
+from damage.wear.energy import cell_energy, energies_of_strips
+from damage.wear.law import REGIMES, SolvedPatch, WearLaw
+from damage.wear.rate import rate_in_regime, rate_numbers, rate_regime, read_rate
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
 _MASS = 1e-3  # [kg/m/m^2] in [ug/m/mm^2]
@@ -34,23 +34,22 @@ USFD_REGIMES = ("mild", "severe", "catastrophic")
 
 def usfd(density: float = _DENSITY) -> WearLaw:
     """The Sheffield law of the whole patch. Density of the steel [kg/m^3], > 0 (ValueError)."""
-    return WearLaw("usfd", USFD_REGIMES, LawValues(USFD, False, NO_MAP, _rate(density)))
+    return WearLaw("usfd", USFD_REGIMES, usfd_depths, _rate(density))
 
 
 def ward(density: float = _DENSITY) -> WearLaw:
     """The Sheffield law cell by cell. Density of the steel [kg/m^3], > 0 (ValueError)."""
-    return WearLaw("ward", USFD_REGIMES, LawValues(WARD, False, NO_MAP, _rate(density)))
+    return WearLaw("ward", USFD_REGIMES, ward_depths, _rate(density))
 
 
-def _rate(density: float) -> RateValues:
+def _rate(density: float) -> tuple[float, ...]:
     """Worn volume per metre rolled and contact area [-] over the energy per area [Pa]."""
-    if not (math.isfinite(density) and density > 0.0):
-        raise ValueError(f"density = {density} kg/m^3 must be finite and > 0 kg/m^3")
+    check_above_zero("density", density, "kg/m^3")
     number = {name: parameter.value for name, parameter in parameters("wear", "usfd").items()}
     volume = _MASS / density
     per_stress = volume / _STRESS
     last = number["plateau"] - number["catastrophic_slope"] * number["severe_to"]  # -4723.7
-    return rate_values(
+    return rate_numbers(
         limits=(number["mild_to"] * _STRESS, number["severe_to"] * _STRESS),
         slopes=(number["mild_slope"] * per_stress, 0.0, number["catastrophic_slope"] * per_stress),
         offsets=(0.0, number["plateau"] * volume, last * volume),
@@ -58,23 +57,29 @@ def _rate(density: float) -> RateValues:
 
 
 @kernel
-def usfd_depths(patch: RollingPatch, energy: float, rate: RateValues, depth: FloatArray) -> None:
-    """Depth by strip and regime (ny, REGIMES) [m] of a patch with the wear number `energy` [N], > 0."""
-    cells_y = depth.shape[0]
+def usfd_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
+    """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`."""
+    patch, energy = solved.patch, energies_of_strips(solved, depth)
+    depth[:] = 0.0
+    if not energy > 0.0:
+        return  # nothing slips
+    cells_y, rate = depth.shape[0], read_rate(numbers)
     density = energy / (math.pi * patch.a * patch.b)
     regime = rate_regime(density, rate)
     worn = rate_in_regime(regime, density, rate)
     for j in range(cells_y):
-        lateral = -1.0 + (2 * j + 1) / cells_y
+        lateral = cell_middle(j, cells_y)
         depth[j, regime] = worn * 2.0 * patch.a * math.sqrt(1.0 - lateral * lateral)
 
 
 @kernel
-def ward_depths(patch: RollingPatch, fields: Fields, rate: RateValues, depth: FloatArray) -> None:
-    """Depth by strip and regime (ny, REGIMES) [m], summed over the cells of each strip; adds to `depth`."""
+def ward_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
+    """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`, summed over the cells."""
+    patch, fields, rate = solved.patch, solved.fields, read_rate(numbers)
     cells_y, cells_x = fields.pressure.shape
+    depth[:] = 0.0
     for j in range(cells_y):
-        lateral = -1.0 + (2 * j + 1) / cells_y
+        lateral = cell_middle(j, cells_y)
         length = 2.0 * patch.a * math.sqrt(1.0 - lateral * lateral) / cells_x
         for i in range(cells_x):
             energy = cell_energy(fields, j, i)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from rich.table import Table
 
+from damage.wear.laws import names_for_help
 from hh_exudyn.cli.output import Refused, check, err, new_table, out, print_table, require_new_folder, told
 
 if TYPE_CHECKING:
@@ -45,9 +46,7 @@ def damage(
         Path | None,
         typer.Option("--out", metavar="DIR", help="New or empty folder; without, DIR/damage of the run."),
     ] = None,
-    model: Annotated[
-        str, typer.Option(metavar="LAW", help="Wear law: archard, british_rail, usfd, ward.")
-    ] = "archard",
+    model: Annotated[str, typer.Option(metavar="LAW", help=f"Wear law: {names_for_help()}.")] = "archard",
     surface: Annotated[
         Surface | None, typer.Option(help="Surface, for Archard's wear coefficients. [default: dry]")
     ] = None,

@@ -10,7 +10,8 @@ import pytest
 
 from damage.figures.profile_panels import FLANGE_ROOT, fatigue_figure, wear_figure
 from damage.figures.working_points import shakedown_figure
-from damage.log_input.contact_states import contact_chunks, output_clock
+from damage.log_input.contact_states import DAMAGE_COLUMNS, contact_chunks
+from damage.log_input.output_clock import output_clock
 from damage.material import ER7
 from damage.model import DamageModel
 from damage.rcf.burstow import Burstow
@@ -106,7 +107,7 @@ def test_clock(make_log: Callable[..., pyarrow.Table]) -> None:
     np.testing.assert_array_equal(clock.steps, [0.5, 0.5, 1.0])
     np.testing.assert_array_equal(clock.rows, [2, 1, 1])
     with pytest.raises(ValueError, match="times that the clock was not made from"):
-        clock.of_rows(np.array([1.2]))
+        clock.timed({name: np.array([1.2]) for name in DAMAGE_COLUMNS})
 
 
 @pytest.mark.parametrize("chunk", [3, 1000])

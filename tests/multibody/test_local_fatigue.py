@@ -21,10 +21,7 @@ def largest(run: Run, wheelset: int, side: int) -> tuple[float, float, float]:
     assert np.all(states["friction"] == 0.4)
     force = (log.force_x[rows][::10], log.force_y[rows][::10], states["normal_force"])
     spread = distributed_index(*force, states["a"], states["b"], ER7.shear_yield)
-    local = [
-        local_indices(**states, material=ER7, theory=theory).fatigue_index
-        for theory in ("fastrip", "fastsim")
-    ]
+    local = [local_indices(states, ER7, theory).fatigue_index for theory in ("fastrip", "fastsim")]
     found = [float(index.max(axis=1).mean()) for index in (spread, *local)]
     return found[0], found[1], found[2]
 

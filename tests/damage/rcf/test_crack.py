@@ -66,9 +66,9 @@ def test_miner_by_hand() -> None:
 def test_miner_is_additive_however_the_log_is_cut() -> None:
     rng = np.random.default_rng(5)
     n = 12
-    local = local_indices(
-        7e-3, 4e-3, 120e3, rng.normal(0, 3e-3, n), rng.normal(0, 3e-3, n), 0.3, 0.4, ER7, cells=(20, 20)
-    )
+    states = {"a": 7e-3, "b": 4e-3, "normal_force": 120e3, "phi": 0.3, "friction": 0.4}
+    states |= {"nu_x": rng.normal(0, 3e-3, n), "nu_y": rng.normal(0, 3e-3, n)}
+    local = local_indices(states, ER7, cells=(20, 20))
     place, turns = rng.normal(0, 4e-3, n), rng.uniform(1.0, 5.0, n)
 
     def part(rows: slice) -> MinerSum:

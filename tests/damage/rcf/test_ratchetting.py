@@ -62,7 +62,7 @@ def test_failure_is_found_between_blocks() -> None:
     expected = np.sum(0.5 * (1.0 / rate[1:] + 1.0 / rate[:-1])) * (strain[1] - strain[0])
     found = ratchet(STEEL, 0.0, stress, 1e6)
     assert found.cycles_to_failure[0] == pytest.approx(expected, rel=1e-5)
-    assert found.blocks < 500  # for some 35,000 cycles to failure, and a million in all
+    assert found.steps < 500  # for some 35,000 cycles to failure, and a million in all
 
 
 def test_hardening_stops_what_stays_below_the_saturated_strength() -> None:
@@ -71,7 +71,7 @@ def test_hardening_stops_what_stays_below_the_saturated_strength() -> None:
     assert STEEL.final_strain(1.2 * K) == pytest.approx(0.8926, abs=1e-4)
     np.testing.assert_allclose(found.strain[-1], STEEL.final_strain([1.2 * K, 1.9 * K]), rtol=1e-4)
     assert not found.failed.any()
-    assert found.blocks < 20_000
+    assert found.steps < 20_000
     np.testing.assert_array_equal(STEEL.final_strain([0.5 * K, 2.5 * K]), [0.0, np.inf])
 
 

@@ -17,7 +17,7 @@ from damage.wear.british_rail import british_rail_volume
 from damage.wear.jendel import JendelMap
 from damage.wear.law import WearLaw
 from damage.wear.laws import wear_law
-from damage.wear.rate import rate_in_regime, rate_regime
+from damage.wear.rate import rate_in_regime, rate_regime, read_rate
 
 A, B, LOAD, FRICTION, RADIUS = 4e-3, 5e-3, 20e3, 0.1, 0.46
 AREA_MM2 = math.pi * 4.0 * 5.0
@@ -112,8 +112,8 @@ def test_british_rail_by_hand(nu: float, loss_times_diameter: float, regime: int
 def test_british_rail_jumps_as_printed_and_not_if_continuous() -> None:
     """25/D to 84/D at 200 N; (1.19 E - 154) = 25 at E = 179/1.19 = 150.42 N."""
     printed, smooth = (
-        wear_law("british_rail").values.rate,
-        wear_law("british_rail", continuous=True).values.rate,
+        read_rate(wear_law("british_rail").values.numbers),
+        read_rate(wear_law("british_rail", continuous=True).values.numbers),
     )
 
     def loss(energy: float, rate: Any) -> float:
@@ -153,7 +153,7 @@ def test_usfd_by_hand(nu: float, rate: float, regime: int) -> None:
 
 def test_usfd_goes_on_from_what_it_has_reached() -> None:
     """At 77.2 N/mm^2 the last line starts from 55; with the -4778.7 of public code it would from 0."""
-    rate = wear_law("usfd").values.rate
+    rate = read_rate(wear_law("usfd").values.numbers)
 
     def micrograms(stress: float) -> float:
         density = stress * 1e6
@@ -285,11 +285,7 @@ def test_the_table_has_a_row_per_state_and_a_column_per_regime() -> None:
     np.testing.assert_allclose(mass, [5.3 * 40.0, 55.0 * AREA_MM2], rtol=HAND)
 
 
-def test_every_parameter_says_where_it_is_from() -> None:
-    for law in ("jendel", "surface", "british_rail", "usfd"):
-        for name, parameter in parameters("wear", law).items():
-            assert parameter.unit, (law, name)
-            assert isinstance(parameter.confirmed, bool), (law, name)
+def test_parameters_without_a_source_are_refused() -> None:
     with pytest.raises(ValueError, match=r"wear.toml has no table 'ward'; it has: jendel, surface"):
         parameters("wear", "ward")
     with pytest.raises(ValueError, match="must start with one of: published, derived, assumed"):
@@ -321,9 +317,12 @@ def test_bad_laws_are_refused(name: str, options: dict[str, Any], message: str) 
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"nu_x": np.array([0.0, np.nan])}, r"nu_x = nan in row 1 must be finite \(1 such rows\)"),
-        ({"speed": 0.0}, r"speed = 0\.0 in row 0 must be finite and > 0 m/s"),
-        ({"a": -1e-3}, r"a = -0\.001 in row 0 must be finite and >= 0 m"),
+        (
+            {"nu_x": np.array([0.0, np.nan])},
+            r"nu_x = nan \[-\] in row 1 must be finite \(1 such rows",
+        ),
+        ({"speed": 0.0}, r"speed = 0 m/s in row 0 must be finite and > 0 m/s"),
+        ({"a": -1e-3}, r"a = -0\.001 m in row 0 must be finite and >= 0 m"),
         ({"theory": "polach"}, r"theory = 'polach'; known: "),
         ({"cells": 0}, r"cells = \(0, 0\)"),
         ({"nu_x": np.zeros((2, 2))}, r"shape \(2, 2\)"),

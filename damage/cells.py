@@ -1,0 +1,18 @@
+"""Middles of the cells that a contact patch is cut into, over its half width or half length."""
+
+import numpy as np
+
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.kernel import inlined_kernel
+
+
+@inlined_kernel
+def cell_middle(index: int, count: int) -> float:
+    """Middle of cell `index` of `count` equal cells between -1 and +1 [-]."""
+    return -1.0 + (2 * index + 1) / count
+
+
+def cell_middles(count: int) -> FloatArray:
+    """(count,) middles of equal cells between -1 and +1 [-]."""
+    middles: FloatArray = -1.0 + (2.0 * np.arange(count) + 1.0) / count
+    return middles

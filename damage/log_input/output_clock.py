@@ -1,0 +1,178 @@
+"""The output times of a contact log: the interval that every row stands for, found while the log is read.
+
+The interval of a row ends at its time and begins at the output time before it, and the rows of one time share
+it. Both are known once a row of a later time has come. A log in order of time is therefore read once: a chunk
+waits until the next one has shown how many rows its last time has. Whatever the cut into chunks, two of them
+are in memory, and the intervals are the same. A log that is not in order of time is read twice, the first
+time for its times alone (`output_clock`).
+"""
+
+from collections import deque
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from damage.log_input.bad_rows import BadRows, Chunk
+from damage.log_input.contact_source import ContactSource
+from damage.log_input.contact_states import CHUNK_ROWS, sifted_chunks
+from damage.log_input.states import ContactStates
+from hh_exudyn.arrays import FloatArray, IntArray
+
+
+class OutOfOrder(Exception):
+    """A row of the log is earlier than the row before it."""
+
+
+class TimedStates(NamedTuple):
+    """Contact states of a piece of a log, with the time that they stand for."""
+
+    states: ContactStates
+    interval: FloatArray  # (n,) output interval of each row [s]
+    sharing: IntArray  # (n,) rows of the log that share it
+
+
+@dataclass(frozen=True)
+class OutputClock:
+    """The output times of a contact log.
+
+    Attributes
+    ----------
+    times
+        (n,) distinct times in ascending order [s].
+    steps
+        (n,) interval that ends at each time [s]; the first is taken as the second. A log of one time has
+        the interval 1 s, which cancels from all means.
+    rows
+        (n,) rows of the log at each time.
+    """
+
+    times: FloatArray
+    steps: FloatArray
+    rows: IntArray
+
+    def timed(self, chunk: Chunk) -> TimedStates:
+        """The states of a chunk with their intervals.
+
+        Raises
+        ------
+        ValueError
+            A time that the clock does not hold.
+        """
+        states = ContactStates(**chunk)
+        index = np.minimum(np.searchsorted(self.times, states.time), self.times.size - 1)
+        if not np.array_equal(self.times[index], states.time):
+            raise ValueError("the rows hold times that the clock was not made from")
+        return TimedStates(states, self.steps[index], self.rows[index])
+
+
+class _Times:
+    """Times of the rows read so far: those that rows still wait for, and the one before them."""
+
+    def __init__(self) -> None:
+        self.times: FloatArray = np.empty(0)
+        self.rows: IntArray = np.empty(0, dtype=np.int64)
+        self._before: float | None = None
+
+    def add(self, times: FloatArray, good: FloatArray) -> None:
+        """Take the finite times of all rows, and the times of the good ones, which are those that count."""
+        new = np.concatenate([self.times, times, good])
+        count = np.concatenate([self.rows, np.zeros(times.size), np.ones(good.size)])
+        self.times, place = np.unique(new, return_inverse=True)
+        self.rows = np.bincount(place, weights=count, minlength=self.times.size).astype(np.int64)
+
+    def forget(self, first: float) -> None:
+        """Drop the times before `first`, but for the last of them, from which an interval begins."""
+        gone = int(np.searchsorted(self.times, first))
+        if gone:
+            self._before = float(self.times[gone - 1])
+            self.times, self.rows = self.times[gone:], self.rows[gone:]
+
+    @property
+    def clock(self) -> OutputClock:
+        """The clock of these times; ValueError where there are none."""
+        if self.times.size == 0:
+            raise ValueError("the contact log has no rows")
+        if self._before is None and self.times.size == 1:
+            return OutputClock(self.times, np.ones(1), self.rows)
+        before = 2.0 * self.times[0] - self.times[1] if self._before is None else self._before
+        return OutputClock(self.times, np.diff(self.times, prepend=before), self.rows)
+
+
+def output_clock(source: ContactSource, skip_bad_rows: bool = False) -> OutputClock:
+    """Read the output times of a contact log, in any order.
+
+    Parameters
+    ----------
+    source
+        The contact log.
+    skip_bad_rows
+        Bad rows do not count among the rows at a time; the time itself stays, unless it is NaN or infinite.
+
+    Raises
+    ------
+    ValueError
+        The log has no rows, or no row with a time; or bad rows, unless they are skipped.
+    """
+    times = _Times()
+    for chunk, good in sifted_chunks(source, bad_rows=BadRows() if skip_bad_rows else None):
+        times.add(_finite(chunk), good["time"])
+    return times.clock
+
+
+def timed_states(
+    source: ContactSource,
+    rows: int = CHUNK_ROWS,
+    bad_rows: BadRows | None = None,
+    clock: OutputClock | None = None,
+) -> Iterator[TimedStates]:
+    """The contact log in pieces, each row with the interval it stands for, in one pass.
+
+    Parameters
+    ----------
+    source
+        The contact log.
+    rows
+        Largest number of rows of a piece.
+    bad_rows
+        Impossible rows are skipped and counted in it; None raises.
+    clock
+        Output times of the whole log where `source` is a piece of it, or is not in order of time; None finds
+        them on the way.
+
+    Raises
+    ------
+    OutOfOrder
+        There is no clock, and a row is earlier than the one before it.
+    ValueError
+        Missing columns, bad rows, no rows, or times that the clock does not hold.
+    """
+    if clock is not None:
+        for _, good in sifted_chunks(source, rows=rows, bad_rows=bad_rows):
+            yield clock.timed(good)
+        return
+    times, waiting, latest = _Times(), deque[Chunk](), -np.inf
+    for chunk, good in sifted_chunks(source, rows=rows, bad_rows=bad_rows):
+        seen = _finite(chunk)
+        if np.any(np.diff(seen, prepend=latest) < 0.0):
+            raise OutOfOrder
+        latest = seen[-1] if seen.size else latest
+        times.add(seen, good["time"])
+        waiting.append(good)
+        while waiting and _last_time(waiting[0]) < latest:
+            yield times.clock.timed(waiting.popleft())
+        times.forget(min((part["time"][0] for part in waiting if part["time"].size), default=latest))
+    clock = times.clock
+    for part in waiting:
+        yield clock.timed(part)
+
+
+def _last_time(chunk: Chunk) -> float:
+    return float(chunk["time"][-1]) if chunk["time"].size else -np.inf
+
+
+def _finite(chunk: Chunk) -> FloatArray:
+    """Times of all rows that have one."""
+    time: FloatArray = chunk["time"][np.isfinite(chunk["time"])]
+    return time
