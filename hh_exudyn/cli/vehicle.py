@@ -22,8 +22,8 @@ from hh_exudyn.cli.output import (
 )
 
 if TYPE_CHECKING:
+    from hh_exudyn.sourced import Difference, Parameter, ParameterSet
     from vehicles.description import Vehicle
-    from vehicles.parameters import Difference, Parameter, ParameterSet
     from vehicles.variants import Variant
 
 vehicle = typer.Typer(help="Look at vehicles and compare them.", no_args_is_help=True)
@@ -95,7 +95,7 @@ def show(source: Source, figure: NewDrawing = None) -> None:
 def compare(first: Source, second: Source) -> None:
     """The numbers in which two vehicles differ."""
     with told():
-        from vehicles.parameters import differences
+        from hh_exudyn.sourced import differences
 
         one, other = _found(first), _found(second)
         found = differences(one.parameters(), other.parameters())
@@ -145,7 +145,7 @@ _MARKS = {"assumed": "?", "variant": "!"}
 
 def _count(parameters: "ParameterSet") -> str:
     """How many numbers are known in which way."""
-    from vehicles.parameters import KINDS, VARIANT
+    from hh_exudyn.sourced import KINDS, VARIANT
 
     counts = {kind: len(parameters.of_kind(kind)) for kind in (*KINDS, VARIANT)}
     said = [

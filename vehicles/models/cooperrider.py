@@ -1,9 +1,12 @@
 """Cooperrider's bogie: two wheelsets and a frame below a car body that keeps its way."""
 
+from functools import partial
+
+from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import AxleBoxPad, Bushing, Coupling
 from vehicles.description import Body, Vehicle, Wheelset
 from vehicles.models.suspended_wheelset import given_contact, held_body, towed
-from vehicles.parameters import ParameterSet
+from vehicles.record import VehicleRecord
 
 SIDES = ((1, "L"), (-1, "R"))
 
@@ -81,3 +84,11 @@ def cooperrider_bogie(name: str, p: ParameterSet) -> Vehicle:
         dimensions={"wheel_radius": radius, "wheelbase": 2 * half},
         contact=given_contact(p),
     )
+
+
+RECORD = VehicleRecord(
+    "cooperrider_bogie",
+    cooperrider_bogie,
+    partial(load_parameters, "vehicles", "cooperrider_bogie"),
+    "reference: Cooperrider's bogie, contact given",
+)

@@ -4,10 +4,13 @@ Traction goes from the axle boxes to the bogie frame and by a low traction rod t
 motor rides on its axle and hangs from the bogie frame by a link, which takes the reaction of its torque.
 """
 
+from functools import partial
+
 from hh_exudyn.conventions import GRAVITY
+from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import AxleBoxPad, BumpStop, Bushing, Coupling, Rod
 from vehicles.description import Body, Coupler, Drive, Vehicle, Wheelset
-from vehicles.parameters import ParameterSet
+from vehicles.record import VehicleRecord
 from vehicles.traction.effort import TractionEquipment
 
 SIDES = ((1, "L"), (-1, "R"))
@@ -238,3 +241,11 @@ def _body_couplings(p: ParameterSet, bogie: int, middle: float, body_mass: float
         )
     )
     return couplings
+
+
+RECORD = VehicleRecord(
+    "iore_locomotive",
+    iore_locomotive,
+    partial(load_parameters, "vehicles", "iore_locomotive"),
+    "IORE Co-Co locomotive, one unit, 180 t",
+)

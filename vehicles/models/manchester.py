@@ -5,11 +5,13 @@ primary springs are drawn unloaded, so the drawing is higher by their static def
 """
 
 import math
+from functools import partial
 
 from hh_exudyn.conventions import GRAVITY
+from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import AxleBoxPad, BumpStop, Bushing, Coupling
 from vehicles.description import Body, Coupler, Vehicle, Wheelset
-from vehicles.parameters import ParameterSet
+from vehicles.record import VehicleRecord
 
 SIDES = ((1, "L"), (-1, "R"))
 _BUMP_STOP_MM = (25, 30, 35, 40, 45, 50, 55, 60, 65)
@@ -155,3 +157,11 @@ def _coupler(p: ParameterSet, mass: float) -> Coupler:
         stiffness=mass * pulsation**2,
         damping=2 * p["coupler.train_damping_ratio"] * mass * pulsation,
     )
+
+
+RECORD = VehicleRecord(
+    "manchester_vehicle_1",
+    manchester_vehicle_1,
+    partial(load_parameters, "vehicles", "manchester_vehicle_1"),
+    "reference: passenger coach of the Manchester benchmarks",
+)

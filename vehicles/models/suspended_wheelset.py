@@ -1,13 +1,15 @@
 """The suspended wheelset, the smallest model that hunts, and its critical speed in closed form."""
 
 import math
+from functools import partial
 
 import numpy as np
 from numpy.polynomial import Polynomial
 
+from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import AxleBoxPad
 from vehicles.description import Body, Coupler, GivenContact, Vehicle, Wheelset
-from vehicles.parameters import ParameterSet
+from vehicles.record import VehicleRecord
 
 HELD_MASS = 1e8  # kg, of a body that the forces of a vehicle shall not move
 _REAL = 1e-9  # of its modulus, that the imaginary part of a root may have that counts as real
@@ -157,3 +159,11 @@ def critical_speed_closed_form(
     square = min(real[real > 0.0], default=math.inf)
     frequency = math.sqrt(w2(square if math.isfinite(square) else 0.0)) / (2.0 * math.pi)
     return math.sqrt(square), frequency
+
+
+RECORD = VehicleRecord(
+    "suspended_wheelset",
+    suspended_wheelset,
+    partial(load_parameters, "vehicles", "suspended_wheelset"),
+    "reference: a wheelset on springs, contact given",
+)

@@ -2,9 +2,9 @@
 
 import math
 
+from hh_exudyn.sourced import ParameterSet
 from vehicles.couplings import AxleBox, CentrePlate, Coupling, SideBearer, SpringNest, Vector, Wedge
 from vehicles.description import Body, BrakeShoe, Wheelset
-from vehicles.parameters import ParameterSet
 
 SIDES = ((1, "L"), (-1, "R"))
 SPRING_DEFLECTION = 0.03  # m, between empty and loaded: where the equilibrium is looked for
