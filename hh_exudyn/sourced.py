@@ -160,6 +160,19 @@ class ParameterSet:
         """All values by name."""
         return {item.name: item.value for item in self.parameters}
 
+    def nested(self) -> dict[str, Any]:
+        """Texts and values in tables as in the file; a list is a tuple."""
+        found: dict[str, Any] = {}
+        entries = dict.fromkeys(item.name.rsplit("[", 1)[0] for item in self.parameters)
+        plain = {name: self[name] if name in self else self.row(name) for name in entries}
+        for name, value in (self.texts | plain).items():
+            *tables, key = name.split(".")
+            inner = found
+            for table in tables:
+                inner = inner.setdefault(table, {})
+            inner[key] = value
+        return found
+
     def of_kind(self, kind: str) -> tuple[Parameter, ...]:
         """The parameters that are "published", "derived", "assumed" or changed, "variant"."""
         return tuple(parameter for parameter in self.parameters if parameter.kind == kind)

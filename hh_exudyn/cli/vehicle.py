@@ -51,13 +51,13 @@ def _vehicle() -> None:
 def list_vehicles() -> None:
     """The vehicles of the catalogue."""
     with told():
-        from vehicles.catalogue import VEHICLES, catalogued
+        from vehicles.catalogue import catalogued, vehicle_names
         from vehicles.catalogue import vehicle as described
 
         table = new_table("Vehicles", ("name", "mass [t]", "wheelsets", "description"))
         for column in (0, 3):
             table.columns[column].justify = "left"
-        for name in VEHICLES:
+        for name in vehicle_names():
             one = described(name)
             table.add_row(
                 name, f"{1e-3 * one.mass:.1f}", f"{len(one.wheelsets)}", catalogued(name).description
