@@ -76,7 +76,7 @@ def test_a_range_holds_its_number() -> None:
 
 
 def test_the_numbers_behind_a_case() -> None:
-    """Rigid, smooth track with one coefficient of friction leaves the vehicle's; each addition adds its own."""
+    """On rigid, smooth track those of the vehicle; every name in the case adds its own."""
     text = (files("hh_exudyn") / "data" / "demo.toml").read_text(encoding="utf-8")
     base = Case.from_toml(text).with_changes(track={"flexibility": "rigid", "irregularity": "none"})
     wagon = load_parameters("vehicles", "iore_wagon").parameters

@@ -1,4 +1,4 @@
-"""A vehicle as JSON and back: the copy that a run keeps, independent of later changes to data files and code."""
+"""A vehicle as JSON and back: the copy in a run's folder, which later changes of data files do not touch."""
 
 import json
 from dataclasses import asdict

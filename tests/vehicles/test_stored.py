@@ -41,5 +41,5 @@ def test_something_else_is_refused(text):
 def test_an_unknown_key_is_refused(place):
     data = json.loads(to_json(vehicle("iore_wagon_loaded")))
     data[place][0]["wings"] = 2
-    with pytest.raises(ValueError, match="not the description of a vehicle.*wings"):
+    with pytest.raises(ValueError, match=r"not the description of a vehicle.*wings"):
         from_json(json.dumps(data))
