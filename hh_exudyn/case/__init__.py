@@ -2,7 +2,8 @@
 
 =============  ======================================================================================
 `case`         `Case` itself and `read_case`
-`track`        the tables of track, contact and integration
+`track`        the track: rails, foundation, irregularities, alignment
+`contact`      contact theories, and the step of the integration
 `alignment`    sections, grades, files of the alignment
 `rails`        rail profiles by name or file
 `friction`     the table of friction: zones, climate, treatment, sections
@@ -10,6 +11,7 @@
 `traction`     drives and steering of a vehicle that drives itself
 `train`        draft and brakes of a vehicle in a train
 `line`         cases from the sections of a line
+`numbers`      the sourced numbers that a case rests on
 `fields`       how numbers with units and paths are declared
 `errors`       `CaseError`: every fault in one line
 =============  ======================================================================================

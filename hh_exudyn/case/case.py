@@ -32,11 +32,12 @@ from hh_exudyn.case.alignment import (
     TransitionCase,
     gauges_mm,
 )
+from hh_exudyn.case.contact import ContactCase, IntegrationCase
 from hh_exudyn.case.errors import CaseError, explain
 from hh_exudyn.case.fields import CaseTable, from_folder, is_path, number
 from hh_exudyn.case.friction import FrictionCase, FrictionSectionCase, SurfaceCase
 from hh_exudyn.case.rails import read_profile
-from hh_exudyn.case.track import ContactCase, IntegrationCase, TrackCase
+from hh_exudyn.case.track import TrackCase
 from hh_exudyn.case.traction import SteeringCase, TractionCase
 from hh_exudyn.case.train import BrakeCase, TrainCase
 from hh_exudyn.case.vehicle import VehicleCase, VehicleField, described, resolved, start_in
