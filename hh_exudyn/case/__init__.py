@@ -17,28 +17,22 @@
 =============  ======================================================================================
 """
 
-from hh_exudyn.case.case import (
-    BrakeCase,
-    Case,
-    CaseError,
+from hh_exudyn.case.alignment import (
     CentreLineCase,
-    ContactCase,
     CurveCase,
-    FrictionCase,
-    FrictionSectionCase,
     GradeCase,
-    IntegrationCase,
     RampCase,
-    SteeringCase,
     StraightCase,
-    SurfaceCase,
-    TrackCase,
-    TractionCase,
-    TrainCase,
     TransitionCase,
-    VehicleCase,
-    read_case,
 )
+from hh_exudyn.case.case import Case, read_case
+from hh_exudyn.case.contact import ContactCase, IntegrationCase
+from hh_exudyn.case.errors import CaseError
+from hh_exudyn.case.friction import FrictionCase, FrictionSectionCase, SurfaceCase
+from hh_exudyn.case.track import TrackCase
+from hh_exudyn.case.traction import SteeringCase, TractionCase
+from hh_exudyn.case.train import BrakeCase, TrainCase
+from hh_exudyn.case.vehicle import VehicleCase
 
 __all__ = [
     "BrakeCase",
