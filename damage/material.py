@@ -7,8 +7,9 @@ import math
 from dataclasses import dataclass
 
 from damage.bounds import check_above_zero
-from damage.parameters import Parameter, parameters, table_names
+from damage.parameters import parameters, table_names
 from hh_exudyn.contact.material import STEEL, Material
+from hh_exudyn.sourced import Parameter
 
 CRITERIA = {
     "von_mises": (1.0 / math.sqrt(3.0), "yield strength / sqrt 3, after von Mises"),

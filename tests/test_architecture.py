@@ -21,7 +21,8 @@ IN_SDIST = {"PKG-INFO", "setup.cfg"}  # what setuptools adds to an sdist, beside
 LINES = 400
 
 BASE = (  # everything may import these
-    "hh_exudyn", "hh_exudyn.arrays", "hh_exudyn.conventions", "hh_exudyn.glossary", "hh_exudyn.kernel",
+    "hh_exudyn", "hh_exudyn.arrays", "hh_exudyn.conventions", "hh_exudyn.entry_points", "hh_exudyn.glossary",
+    "hh_exudyn.kernel", "hh_exudyn.sourced",
 )  # fmt: skip
 MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is named by its prefix
     "hh_exudyn.contact": (),
@@ -40,8 +41,10 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "hh_exudyn.__main__": ("hh_exudyn.cli",),
     "hh_exudyn.arrays": (),
     "hh_exudyn.conventions": (),
+    "hh_exudyn.entry_points": (),
     "hh_exudyn.glossary": (),
     "hh_exudyn.kernel": (),
+    "hh_exudyn.sourced": (),
     "hh_exudyn": (),  # the package itself
 }  # fmt: skip
 ONLY_IN = {"exudyn": "hh_exudyn.multibody", "numba": "hh_exudyn.kernel"}

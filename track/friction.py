@@ -18,7 +18,6 @@ The numbers of climates, treatments and falling characteristics stand with their
 ``track/data/friction.toml``.
 """
 
-import functools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -28,10 +27,16 @@ from typing import Self
 import numpy as np
 
 from hh_exudyn.contact.friction import FrictionTable
-from track.data_file import DataTable, check_range, own_data
+from hh_exudyn.sourced import ParameterSet, load_parameters
 
 ZONES = ("tread", "gauge_corner", "flange")
 _FRICTION = (0.01, 1.0)  # what a case may have
+
+
+def _check_range(name: str, value: float, unit: str, low: float, high: float) -> None:
+    """Raise ValueError unless `value` is a finite number from `low` to `high` (NaN is not)."""
+    if not (low <= value <= high and math.isfinite(value)):
+        raise ValueError(f"{name} is {value} {unit}, allowed are {low:g} to {high:g} {unit}")
 
 
 @dataclass(frozen=True)
@@ -48,7 +53,7 @@ class Zones:
 
     def __post_init__(self) -> None:
         for name in ZONES:
-            check_range(f"friction of the {name}", getattr(self, name), "[-]", *_FRICTION)
+            _check_range(f"friction of the {name}", getattr(self, name), "[-]", *_FRICTION)
 
     @classmethod
     def even(cls, friction: float) -> Self:
@@ -92,8 +97,8 @@ class Falling:
     decrease: float = 0.0
 
     def __post_init__(self) -> None:
-        check_range("ratio of Falling", self.ratio, "[-]", 0.0, 1.0)
-        check_range("decrease of Falling", self.decrease, "s/m", 0.0, 10.0)
+        _check_range("ratio of Falling", self.ratio, "[-]", 0.0, 1.0)
+        _check_range("decrease of Falling", self.decrease, "s/m", 0.0, 10.0)
 
 
 @dataclass(frozen=True)
@@ -105,7 +110,7 @@ class FrictionSection:
     right: Zones
 
     def __post_init__(self) -> None:
-        check_range("start of a FrictionSection", self.start, "m", -1e6, 1e6)
+        _check_range("start of a FrictionSection", self.start, "m", -1e6, 1e6)
 
 
 @dataclass(frozen=True)
@@ -132,7 +137,7 @@ class Friction:
     def __post_init__(self) -> None:
         if not self.sections:
             raise ValueError("sections of Friction is empty, at least one is needed")
-        check_range("ramp of Friction", self.ramp, "m", 0.01, 100.0)
+        _check_range("ramp of Friction", self.ramp, "m", 0.01, 100.0)
         for i, (one, other) in enumerate(pairwise(self.sections)):
             if other.start - one.start < self.ramp:
                 raise ValueError(
@@ -187,58 +192,33 @@ def climate(name: str) -> Zones:
 def falling(name: str) -> Falling:
     """The falling characteristic of that name. Raises ValueError for an unknown one (lists the known)."""
     numbers = _named("falling", name)
-    return Falling(numbers["ratio"], numbers["decrease_s_per_m"])
+    return Falling(numbers["ratio"], numbers["decrease"])
 
 
-def known(kind: str) -> dict[str, str]:
-    """Names of a kind ("climate", "treatment", "falling") with the source of their numbers."""
-    return {name: source for name, (_, source) in _friction_data()[kind].items()}
+def known(kind: str) -> tuple[str, ...]:
+    """Names of a kind: "climate", "treatment" or "falling"."""
+    return load_parameters("track", "friction").table(kind).tables
+
+
+def friction_numbers(kind: str, name: str) -> ParameterSet:
+    """The numbers of a climate, a treatment or a falling characteristic with their sources.
+
+    Raises ValueError for an unknown name (lists the known ones).
+    """
+    if name not in known(kind):
+        raise ValueError(f"{kind} {name!r} is not known, there are: {', '.join(known(kind))}")
+    return load_parameters("track", "friction").table(kind).table(name)
 
 
 def _named(kind: str, name: str) -> dict[str, float]:
-    """Numbers of one table of the data file."""
-    tables = _friction_data()[kind]
-    if name not in tables:
-        raise ValueError(f"{kind} {name!r} is not known, there are: {', '.join(tables)}")
-    return tables[name][0]
+    """Numbers of one table of the data file, by key."""
+    return friction_numbers(kind, name).values()
 
 
-_Named = dict[str, tuple[dict[str, float], str]]  # name: numbers, source
-
-_KEYS = {  # kind: keys that a table may have, with unit and range
-    "climate": {"friction": ("[-]", *_FRICTION)},
-    "treatment": dict.fromkeys(ZONES, ("[-]", *_FRICTION)),
-    "falling": {"ratio": ("[-]", 0.0, 1.0), "decrease_s_per_m": ("s/m", 0.0, 10.0)},
-}
-
-
-@functools.cache
-def _friction_data() -> dict[str, _Named]:
-    """Climates, treatments and falling characteristics of the data file."""
-    file = own_data("friction")
-    return {kind: _tables(file.table(kind), kind) for kind in _KEYS}
-
-
-def _tables(group: DataTable, kind: str) -> _Named:
-    """All tables of a kind, checked. Only a treatment may leave zones out."""
-    found: _Named = {}
-    for name in group.entries:
-        table = group.table(name)
-        wanted = {key: x for key, x in _KEYS[kind].items() if kind != "treatment" or key in table}
-        numbers = {key: table.number(key, *limits) for key, limits in wanted.items()}
-        found[name] = numbers, table.source()
-        table.close()
-    return found
-
-
-@functools.cache
 def _zone_angles() -> tuple[float, float, float, float]:
     """Contact angles where one zone begins to pass into the next and has done so [rad]."""
-    zones = own_data("friction").table("zones")
-    corner = zones.numbers("tread_to_gauge_corner_deg", "deg", 0.0, 90.0, 2)
-    flange = zones.numbers("gauge_corner_to_flange_deg", "deg", corner[1], 90.0, 2)
-    zones.source()
-    zones.close()
+    zones = load_parameters("track", "friction").table("zones")
+    corner, flange = zones.row("tread_to_gauge_corner"), zones.row("gauge_corner_to_flange")
     return (
         math.radians(corner[0]), math.radians(corner[1]), math.radians(flange[0]), math.radians(flange[1]),
     )  # fmt: skip

@@ -1,12 +1,20 @@
-"""A vehicle as JSON and back: what a run keeps of its vehicle, whatever files and code become later."""
+"""A vehicle as JSON and back: the copy in a run's folder, which later changes of data files do not touch."""
 
 import json
-from dataclasses import asdict, is_dataclass
-from typing import Any, get_args, get_origin, get_type_hints
+from dataclasses import asdict
+from typing import Annotated, Any, Union, get_args
 
+from pydantic import ConfigDict, Discriminator, Tag, TypeAdapter, ValidationError
+
+from vehicles.couplings import Coupling
 from vehicles.description import Vehicle
 
 _TYPE = "type"  # key of a coupling's class
+_STRICT = ConfigDict(extra="forbid")  # a tuple around them: dataclasses take no config of their own
+_ANY_COUPLING: Any = Union[tuple(Annotated[kind, Tag(kind.__name__)] for kind in get_args(Coupling))]  # noqa: UP007
+_TAGGED: Any = Annotated[_ANY_COUPLING, Discriminator(lambda entry: entry.pop(_TYPE))]
+_COUPLINGS: TypeAdapter[Any] = TypeAdapter(tuple[_TAGGED, ...], config=_STRICT)
+_VEHICLE = TypeAdapter(tuple[Vehicle], config=_STRICT)
 
 
 def to_json(vehicle: Vehicle) -> str:
@@ -23,27 +31,12 @@ def from_json(text: str) -> Vehicle:
     Raises
     ------
     ValueError
-        The text is not one, or one of another version of the toolkit.
+        The text is not a vehicle, or one of another version of the toolkit.
     """
     try:
-        vehicle: Vehicle = _built(Vehicle, json.loads(text))
-    except (TypeError, KeyError, AttributeError, json.JSONDecodeError) as error:
-        raise ValueError(f"not the description of a vehicle as this version has it: {error}") from None
-    return vehicle
-
-
-def _built(hint: Any, value: Any) -> Any:
-    """A value of JSON as the type that a field of a description has."""
-    if is_dataclass(hint):
-        hints = get_type_hints(hint)
-        made: Any = hint
-        return made(**{name: _built(hints[name], item) for name, item in value.items()})
-    if get_origin(hint) is tuple:
-        inner = get_args(hint)
-        inner = inner[:1] * len(value) if inner[-1] is Ellipsis else inner
-        return tuple(_built(kind, item) for kind, item in zip(inner, value, strict=True))
-    kinds = {getattr(kind, "__name__", ""): kind for kind in get_args(hint) if is_dataclass(kind)}
-    if kinds and isinstance(value, dict):
-        kind = kinds[value[_TYPE]] if _TYPE in value or len(kinds) > 1 else next(iter(kinds.values()))
-        return _built(kind, {name: item for name, item in value.items() if name != _TYPE})
-    return value
+        data = json.loads(text)
+        data["couplings"] = _COUPLINGS.validate_python(data["couplings"])
+        return _VEHICLE.validate_python([data])[0]
+    except (ValidationError, TypeError, KeyError, AttributeError, json.JSONDecodeError) as error:
+        reason = " ".join(str(error).split())
+        raise ValueError(f"not the description of a vehicle as this version has it: {reason}") from None

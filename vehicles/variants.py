@@ -18,9 +18,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from hh_exudyn.sourced import VARIANT, Difference, Parameter, ParameterSet, differences, made
 from vehicles.catalogue import catalogued
 from vehicles.description import Vehicle
-from vehicles.parameters import VARIANT, Difference, Parameter, ParameterSet, differences
 
 _KEYS = ("name", "base", "description")  # of a variant's table; everything else is a part
 _ENTRY = {"value", "unit", "source"}
@@ -163,8 +163,7 @@ def _parameter(name: str, entry: Any, known: ParameterSet, source: str) -> Param
         raise ValueError(f"{name} = {dict(entry)!r}: allowed a number, or a table of value, unit and source")
     value = known.replace({name: entry["value"]}, source).parameter(name)
     texts = {key: _text(entry, key) or getattr(value, key) for key in ("unit", "source")}
-    changed = Parameter(name, value.value, **texts)
-    return known.with_parameters([changed]).parameter(name)
+    return known.with_parameters([made(name, value=value.value, **texts)]).parameter(name)
 
 
 def _text(table: Mapping[str, Any], key: str) -> str:

@@ -13,7 +13,7 @@ import pyarrow
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.types import RollingPatch
 from hh_exudyn.kernel import inlined_kernel
-from hh_exudyn.log.schema import CONTACT
+from hh_exudyn.log.channels import CONTACT
 
 UNITS = {column.name: column.unit for column in CONTACT}
 """Units of the columns of a contact log, by name."""

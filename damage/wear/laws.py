@@ -20,7 +20,8 @@ from inspect import signature
 from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any
 
-from damage.parameters import Parameter, tables_of
+from damage.parameters import tables_of
+from hh_exudyn.sourced import Parameter
 
 if TYPE_CHECKING:
     from damage.wear.law import WearLaw

@@ -1,12 +1,11 @@
 """What the quantities are held against: `data/assessment.toml`, with source and whether it is confirmed."""
 
-import tomllib
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
 from typing import Any
 
 from hh_exudyn.conventions import GRAVITY
+from hh_exudyn.sourced import load_parameters
 from vehicles.description import Vehicle
 
 _KN = 1e3
@@ -33,9 +32,8 @@ class Limit:
 
 @cache
 def data() -> dict[str, Any]:
-    """The numbers of the assessment."""
-    text = resources.files("hh_exudyn").joinpath("data/assessment.toml").read_text(encoding="utf-8")
-    return tomllib.loads(text)
+    """The numbers of the assessment, in tables as in their file."""
+    return load_parameters("hh_exudyn", "assessment").nested()
 
 
 def static_axle_load(vehicle: Vehicle) -> float:
@@ -57,7 +55,7 @@ def limits(vehicle: Vehicle) -> dict[str, Limit]:
     of_wheel = min(_KN * rows["q"]["constant_kN"] + 0.5 * load, _KN * rows["q"]["largest_kN"])
     values = {
         "sum_y": track_shift,
-        "y_over_q": rows["y_over_q"]["value"],
+        "y_over_q": rows["y_over_q"]["ratio"],
         "q": of_wheel,
         "y_quasi_static": _KN * rows["y_quasi_static"]["value_kN"],
         "q_quasi_static": _KN * rows["q_quasi_static"]["value_kN"],
@@ -65,6 +63,6 @@ def limits(vehicle: Vehicle) -> dict[str, Limit]:
         "body_vertical": rows["body_vertical"]["value_m_s2"],
         "sum_y_rms": rows["sum_y_rms"]["share"] * track_shift,
     }
-    return {
-        name: Limit(float(v), rows[name]["confirmed"], rows[name]["source"]) for name, v in values.items()
-    }
+    sourced = load_parameters("hh_exudyn", "assessment").table("limit")
+    first = {name: sourced.table(name).parameters[0] for name in values}  # one source for a limit's numbers
+    return {name: Limit(float(v), first[name].confirmed, first[name].source) for name, v in values.items()}

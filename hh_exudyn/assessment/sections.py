@@ -105,7 +105,8 @@ def _wanted(part: AssessedSection) -> float:
     """Length of the sections of a straight or curve [m]."""
     if part.kind == STRAIGHT:
         return float(data()["sections"]["straight_m"])
-    return next(float(row["length_m"]) for row in data()["sections"]["curves"] if row["name"] == part.kind)
+    rows = data()["sections"]["curves"].values()
+    return next(float(row["length_m"]) for row in rows if row["name"] == part.kind)
 
 
 def _stretches(alignment: Alignment) -> list[AssessedSection]:
@@ -146,7 +147,7 @@ def _stretch(section: Section, start: float) -> AssessedSection:
 
 def _curve_class(curvature: float) -> str:
     """Name of the class of radii."""
-    rows = data()["sections"]["curves"]
+    rows = data()["sections"]["curves"].values()
     return next(str(row["name"]) for row in rows if row["from_m"] * abs(curvature) <= 1.0)
 
 

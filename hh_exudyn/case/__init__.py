@@ -2,7 +2,8 @@
 
 =============  ======================================================================================
 `case`         `Case` itself and `read_case`
-`track`        the tables of track, contact and integration
+`track`        the track: rails, foundation, irregularities, alignment
+`contact`      contact theories, and the step of the integration
 `alignment`    sections, grades, files of the alignment
 `rails`        rail profiles by name or file
 `friction`     the table of friction: zones, climate, treatment, sections
@@ -10,33 +11,28 @@
 `traction`     drives and steering of a vehicle that drives itself
 `train`        draft and brakes of a vehicle in a train
 `line`         cases from the sections of a line
+`numbers`      the sourced numbers that a case rests on
 `fields`       how numbers with units and paths are declared
 `errors`       `CaseError`: every fault in one line
 =============  ======================================================================================
 """
 
-from hh_exudyn.case.case import (
-    BrakeCase,
-    Case,
-    CaseError,
+from hh_exudyn.case.alignment import (
     CentreLineCase,
-    ContactCase,
     CurveCase,
-    FrictionCase,
-    FrictionSectionCase,
     GradeCase,
-    IntegrationCase,
     RampCase,
-    SteeringCase,
     StraightCase,
-    SurfaceCase,
-    TrackCase,
-    TractionCase,
-    TrainCase,
     TransitionCase,
-    VehicleCase,
-    read_case,
 )
+from hh_exudyn.case.case import Case, read_case
+from hh_exudyn.case.contact import ContactCase, IntegrationCase
+from hh_exudyn.case.errors import CaseError
+from hh_exudyn.case.friction import FrictionCase, FrictionSectionCase, SurfaceCase
+from hh_exudyn.case.track import TrackCase
+from hh_exudyn.case.traction import SteeringCase, TractionCase
+from hh_exudyn.case.train import BrakeCase, TrainCase
+from hh_exudyn.case.vehicle import VehicleCase
 
 __all__ = [
     "BrakeCase",

@@ -24,22 +24,17 @@ from pydantic import (
 
 from hh_exudyn.case.alignment import (
     LARGEST_GAUGE_MM,
-    CentreLineCase,
-    CurveCase,
-    GradeCase,
-    RampCase,
-    StraightCase,
-    TransitionCase,
     gauges_mm,
 )
+from hh_exudyn.case.contact import ContactCase, IntegrationCase
 from hh_exudyn.case.errors import CaseError, explain
 from hh_exudyn.case.fields import CaseTable, from_folder, is_path, number
-from hh_exudyn.case.friction import FrictionCase, FrictionSectionCase, SurfaceCase
+from hh_exudyn.case.friction import FrictionCase
 from hh_exudyn.case.rails import read_profile
-from hh_exudyn.case.track import ContactCase, IntegrationCase, TrackCase
+from hh_exudyn.case.track import TrackCase
 from hh_exudyn.case.traction import SteeringCase, TractionCase
 from hh_exudyn.case.train import BrakeCase, TrainCase
-from hh_exudyn.case.vehicle import VehicleCase, VehicleField, described, resolved, start_in
+from hh_exudyn.case.vehicle import VehicleField, described, resolved, start_in
 from hh_exudyn.contact.friction import FrictionTable, constant_friction
 from hh_exudyn.contact.profile import Profile, read_wheel_profile, wheel_profile
 from hh_exudyn.contact.profiles.measures import flange_thickness
@@ -49,29 +44,6 @@ from hh_exudyn.contact.wheel_rail import wheel_rail_model
 from hh_exudyn.conventions import BACK_TO_BACK, LEFT, RIGHT
 from track.course.alignment import Alignment
 from vehicles.description import Vehicle
-
-__all__ = [
-    "BrakeCase",
-    "Case",
-    "CaseError",
-    "CentreLineCase",
-    "ContactCase",
-    "CurveCase",
-    "FrictionCase",
-    "FrictionSectionCase",
-    "GradeCase",
-    "IntegrationCase",
-    "RampCase",
-    "SteeringCase",
-    "StraightCase",
-    "SurfaceCase",
-    "TrackCase",
-    "TractionCase",
-    "TrainCase",
-    "TransitionCase",
-    "VehicleCase",
-    "read_case",
-]
 
 _RAILS = ("rail", "rail_left", "rail_right", "rail_high", "rail_low")
 _FILES = ("wheel_profile", "irregularity", *_RAILS)  # keys whose value may be the path of a file

@@ -33,6 +33,7 @@ from hh_exudyn.cli import assess as cli_assess
 from hh_exudyn.cli import contact as cli_contact
 from hh_exudyn.cli import damage as cli_damage
 from hh_exudyn.cli import linear as cli_linear
+from hh_exudyn.cli import parameters as cli_parameters
 from hh_exudyn.cli import track as cli_track
 from hh_exudyn.cli import vehicle as cli_vehicle
 from hh_exudyn.cli.damage import opened, show_damage
@@ -71,6 +72,7 @@ cli_track.register(app)
 cli_assess.register(app)
 cli_vehicle.register(app)
 cli_linear.register(app)
+cli_parameters.register(app)
 
 NewFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="New or empty folder for the run.")]
 RunFolder = Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")]
@@ -167,10 +169,13 @@ def _simulated(case: "Case", folder: Path) -> "Run":
 def _show_run(done: "Run") -> None:
     """Record the run and print its table and where things are."""
     from damage.summary import steady_window, wheelset_summary
+    from hh_exudyn.case import Case
+    from hh_exudyn.case.numbers import assumed_summary
 
     window = steady_window(done)
     _record(done, done.directory / RECORDING)
     print_table(_wheelset_table(wheelset_summary(done, window), window))
+    out.print(assumed_summary(Case.from_toml(done.case_text)))
     out.print("Y is positive outwards; attack and position are positive to the left")
     out.print(f"play it: hh-exudyn playback {done.directory}")
 

@@ -84,12 +84,12 @@ def plot(
 
 def _is_line(source: str) -> bool:
     """Whether the argument is a line; what is neither line nor case file is refused."""
-    from track.line.line import LINES
+    from track.line.line_file import line_names
 
-    if source in LINES:
+    if source in line_names():
         return True
     path = Path(source)
-    known = f"known lines: {', '.join(LINES)}"
+    known = f"known lines: {', '.join(line_names())}"
     if path.is_dir():
         raise Refused(f"CASE|LINE {source}: is a folder, allowed is a case file or a line's file; {known}")
     if not path.exists():

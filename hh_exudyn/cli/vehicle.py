@@ -22,8 +22,8 @@ from hh_exudyn.cli.output import (
 )
 
 if TYPE_CHECKING:
+    from hh_exudyn.sourced import Difference, Parameter, ParameterSet
     from vehicles.description import Vehicle
-    from vehicles.parameters import Difference, Parameter, ParameterSet
     from vehicles.variants import Variant
 
 vehicle = typer.Typer(help="Look at vehicles and compare them.", no_args_is_help=True)
@@ -51,13 +51,13 @@ def _vehicle() -> None:
 def list_vehicles() -> None:
     """The vehicles of the catalogue."""
     with told():
-        from vehicles.catalogue import VEHICLES, catalogued
+        from vehicles.catalogue import catalogued, vehicle_names
         from vehicles.catalogue import vehicle as described
 
         table = new_table("Vehicles", ("name", "mass [t]", "wheelsets", "description"))
         for column in (0, 3):
             table.columns[column].justify = "left"
-        for name in VEHICLES:
+        for name in vehicle_names():
             one = described(name)
             table.add_row(
                 name, f"{1e-3 * one.mass:.1f}", f"{len(one.wheelsets)}", catalogued(name).description
@@ -95,7 +95,7 @@ def show(source: Source, figure: NewDrawing = None) -> None:
 def compare(first: Source, second: Source) -> None:
     """The numbers in which two vehicles differ."""
     with told():
-        from vehicles.parameters import differences
+        from hh_exudyn.sourced import differences
 
         one, other = _found(first), _found(second)
         found = differences(one.parameters(), other.parameters())
@@ -145,7 +145,7 @@ _MARKS = {"assumed": "?", "variant": "!"}
 
 def _count(parameters: "ParameterSet") -> str:
     """How many numbers are known in which way."""
-    from vehicles.parameters import KINDS, VARIANT
+    from hh_exudyn.sourced import KINDS, VARIANT
 
     counts = {kind: len(parameters.of_kind(kind)) for kind in (*KINDS, VARIANT)}
     said = [

@@ -7,8 +7,8 @@ import pytest
 from typer.testing import CliRunner, Result
 
 from hh_exudyn.cli.app import app
+from hh_exudyn.sourced import load_parameters
 from vehicles.catalogue import VEHICLES
-from vehicles.parameters import load_parameters
 
 
 def call(*words: str | Path) -> Result:
@@ -57,7 +57,7 @@ def test_list_has_every_vehicle() -> None:
 
 def test_show_has_every_number_and_counts_the_guesses() -> None:
     text = said("show", "iore_wagon_loaded")
-    parameters = load_parameters("iore_wagon")
+    parameters = load_parameters("vehicles", "iore_wagon")
     for number in {parameter.name.split(".")[1] for parameter in parameters.parameters}:
         assert number in text
     assert f"{len(parameters.of_kind('assumed'))} assumed (?)" in text

@@ -12,8 +12,8 @@ from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.control import vehicle_control
 from hh_exudyn.multibody.equilibrium import FORCE_TOLERANCE, TIME_LIMIT, NoEquilibrium, equilibrium
 from hh_exudyn.multibody.model import Ledger, workspace
+from hh_exudyn.sourced import load_parameters
 from vehicles.catalogue import vehicle
-from vehicles.parameters import load_parameters
 
 
 def settle(case):
@@ -54,7 +54,7 @@ def test_left_and_right_are_mirror_images(settled):
 def test_load_springs_deflect_as_their_law_says(settled):
     """Nest and wedges of one side carry a quarter of the sprung weight: closed form of the two stages."""
     wagon, _, state = settled
-    p = load_parameters("iore_wagon")
+    p = load_parameters("vehicles", "iore_wagon")
     sprung = sum(body.mass for body in wagon.bodies if body.kind in ("car_body", "bolster"))
     # a column that closes by its toe drives the wedge further down than the bolster, and its lift grows alike
     toe, slope = np.radians([p["wedge.toe"], p["wedge.slope"]])

@@ -14,6 +14,7 @@ from track.friction import (
     Zones,
     climate,
     falling,
+    friction_numbers,
     known,
 )
 
@@ -118,8 +119,9 @@ def test_treatments_lower_their_zones_and_never_raise() -> None:
 
 def test_every_number_has_a_source() -> None:
     for kind in ("climate", "treatment", "falling"):
-        for source in known(kind).values():
-            assert source.startswith(("published: ", "derived: ", "assumed: "))
+        for name in known(kind):
+            for number in friction_numbers(kind, name).parameters:
+                assert number.source.startswith(("published: ", "derived: ", "assumed: "))
 
 
 def test_bad_input_says_what_is_wrong() -> None:

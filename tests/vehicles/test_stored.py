@@ -1,5 +1,6 @@
 """A vehicle as JSON comes back as it was."""
 
+import json
 from dataclasses import replace
 
 import pytest
@@ -34,3 +35,11 @@ def test_couplings_of_every_shape():
 def test_something_else_is_refused(text):
     with pytest.raises(ValueError, match="not the description of a vehicle"):
         from_json(text)
+
+
+@pytest.mark.parametrize("place", ["bodies", "couplings", "wheelsets"])
+def test_an_unknown_key_is_refused(place):
+    data = json.loads(to_json(vehicle("iore_wagon_loaded")))
+    data[place][0]["wings"] = 2
+    with pytest.raises(ValueError, match=r"not the description of a vehicle.*wings"):
+        from_json(json.dumps(data))

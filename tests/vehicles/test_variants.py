@@ -5,10 +5,11 @@ from pathlib import Path
 
 import pytest
 
+from hh_exudyn.sourced import ParameterSet, differences, load_parameters, read_parameters
 from vehicles import catalogue
-from vehicles.catalogue import VEHICLES, Entry, vehicle
+from vehicles.catalogue import VEHICLES, vehicle
 from vehicles.description import Vehicle
-from vehicles.parameters import ParameterSet, differences, load_parameters, read_parameters
+from vehicles.record import VehicleRecord
 from vehicles.variants import find_variant, read_variant, variant_of_table
 
 WORN = """base = "iore_wagon_loaded"
@@ -28,7 +29,7 @@ def write(folder: Path, name: str, text: str) -> Path:
 
 def test_a_file_changes_its_numbers_and_no_others(tmp_path):
     worn = read_variant(write(tmp_path, "worn.toml", WORN))
-    base = load_parameters("iore_wagon")
+    base = load_parameters("vehicles", "iore_wagon")
     found = {one.name: (one.before.value, one.after.value, one.after.source) for one in worn.differences()}
     assert found == {
         "wedge.friction": (0.3, 0.35, "variant: worn.toml"),
@@ -77,8 +78,8 @@ def test_loaded_and_empty_differ_by_the_payload_alone():
 
 
 def test_differences_name_what_only_one_has():
-    one = ParameterSet("one", load_parameters("iore_wagon").parameters[:2])
-    other = ParameterSet("other", load_parameters("iore_wagon").parameters[1:3])
+    one = ParameterSet("one", load_parameters("vehicles", "iore_wagon").parameters[:2])
+    other = ParameterSet("other", load_parameters("vehicles", "iore_wagon").parameters[1:3])
     missing, extra = differences(one, other)
     assert (missing.name, missing.after) == ("wagon.length", None)
     assert (extra.name, extra.before) == ("wagon.height", None)
@@ -124,7 +125,7 @@ def test_a_bad_file_is_one_line_that_begins_with_it(tmp_path, text):
 
 
 def test_replace_checks_its_source_and_numbers():
-    base = load_parameters("iore_wagon")
+    base = load_parameters("vehicles", "iore_wagon")
     changed = base.replace({"wedge.friction": 0.2}, "published: a paper", "mine")
     assert (changed.name, changed["wedge.friction"], base["wedge.friction"]) == ("mine", 0.2, 0.3)
     assert changed.parameter("wedge.friction").unit == "-"
@@ -166,7 +167,7 @@ def test_a_vehicle_of_ones_own_joins_the_catalogue(monkeypatch):
         )  # fmt: skip
 
     mine = read_parameters(tables, "mine", "mine.toml")
-    monkeypatch.setitem(VEHICLES, "mine", Entry(build, lambda: mine, "one body changed"))
+    monkeypatch.setitem(VEHICLES, "mine", VehicleRecord("mine", build, lambda: mine, "one body changed"))
     assert find_variant("mine").vehicle().bodies[0].mass == 1000.0
     heavier = variant_of_table({"name": "heavier", "base": "mine", "body": {"mass": 2e3}}, "test")
     assert heavier.vehicle().bodies[0].mass == 2000.0

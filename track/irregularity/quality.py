@@ -16,17 +16,14 @@ QN3 = 1.3 QN2 is unconfirmed: the thesis does not give it for standard deviation
 filter its Tables 1-5 and 1-6 rest on; 3 to 25 m is what UIC 518 means by them.
 """
 
-import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
-from importlib import resources
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hh_exudyn.arrays import FloatArray
+from hh_exudyn.sourced import load_parameters
 from track.irregularity.irregularity import Irregularity
 from track.irregularity.wavelength_bands import D1
 
@@ -37,25 +34,20 @@ _SECTION = (25.0, 1000.0)  # m
 _KM_H = 1.0 / 3.6  # m/s
 
 
-@cache
-def _data() -> dict[str, Any]:
-    return tomllib.loads(resources.files("track").joinpath("data/quality.toml").read_text(encoding="utf-8"))
-
-
 def quality_limits(speed: float) -> FloatArray:
     """QN1, QN2 and QN3 [m] of level (row 0) and alignment (row 1) for a speed [m/s], Table 1-4.
 
     Raises ValueError unless the speed is above 0 and up to 300 km/h.
     """
-    rows = _data()["limits"]
+    data = load_parameters("track", "quality")
+    rows = [data.table("limits").table(name) for name in data.table("limits").tables]
     speed_km_h = speed / _KM_H
     if speed > 0.0:
         for row in rows:
-            if speed_km_h <= row["speed_up_to_km_h"] * (1.0 + 1e-12):  # 80 km/h in m/s and back is 80 km/h
-                qn1_qn2 = 1e-3 * np.array([row["level_mm"], row["alignment_mm"]])
-                qn3 = _data()["qn3"]["factor"] * qn1_qn2[:, 1:]
-                return np.hstack([qn1_qn2, qn3])
-    highest = rows[-1]["speed_up_to_km_h"] * _KM_H
+            if speed_km_h <= row["speed"] * (1.0 + 1e-12):  # 80 km/h in m/s and back is 80 km/h
+                qn1_qn2 = 1e-3 * np.array([row.row("level"), row.row("alignment")])
+                return np.hstack([qn1_qn2, data["qn3.factor"] * qn1_qn2[:, 1:]])
+    highest = rows[-1]["speed"] * _KM_H
     raise ValueError(f"speed is {speed} m/s, allowed are above 0 to {highest:g} m/s")
 
 

@@ -33,19 +33,18 @@ some metres, and which of them a class means is an open question. ERRI is the sa
 """
 
 import math
-import tomllib
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from importlib import resources
 
 import numpy as np
+from scipy.integrate import simpson
 
 from hh_exudyn.arrays import FloatArray
+from hh_exudyn.sourced import ParameterSet, load_parameters
 
 SIGNALS = ("level", "alignment", "gauge", "cross_level")  # the four that a recording car gives, in this order
 WAVELENGTHS = (0.5, 300.0)  # m, between which a band may lie
 
-_KNOWN_SIGNALS = {"erri": SIGNALS, "fra": SIGNALS, "fra_fryba": ("level",)}
-_UNCONFIRMED = {"erri": (), "fra": ("alignment", "gauge", "cross_level"), "fra_fryba": ()}  # formulas
 _INTERVALS = 4000  # of the integral of a spectrum; Simpson's rule, to 1e-10
 
 
@@ -65,33 +64,109 @@ def check_signal(signal: str, known: tuple[str, ...] = SIGNALS) -> None:
         raise ValueError(f"signal {signal!r} is not known, there are: {', '.join(known)}")
 
 
+_Numbers = Mapping[str, float]  # of a spectrum, by the names of the data file
+
+
 @dataclass(frozen=True)
-class Spectrum:
-    """One spectrum with its parameters.
+class Form:
+    """A formula that spectra share: one record, from which its signals and doubts follow.
 
     Attributes
     ----------
-    name, description, form : str
-        `form` is "erri", "fra" or "fra_fryba".
-    wavelengths : (float, float)
-        Shortest and longest for which the source gives it [m].
-    parameters : dict
-        In SI units, by the names of the data file.
+    name : str
+        As the data file calls it.
+    density : callable
+        (signal, Omega^2 [rad^2/m^2], numbers) -> S [m^2/(rad/m)].
+    signals : tuple of str
+        The signals that it describes.
     unconfirmed : tuple of str
-        Parameters and formulas (by signal) for which no source could be read.
+        Signals for which no source of the formula could be read.
+    """
+
+    name: str
+    density: Callable[[str, FloatArray, _Numbers], FloatArray]
+    signals: tuple[str, ...] = SIGNALS
+    unconfirmed: tuple[str, ...] = ()
+
+
+def _erri(signal: str, square: FloatArray, p: _Numbers) -> FloatArray:
+    oc = p["omega_c"] ** 2
+    shape: FloatArray = oc / ((square + p["omega_r"] ** 2) * (square + oc))
+    if signal in ("level", "alignment"):
+        return p["a_" + signal] * shape  # (1), (2)
+    shape = shape * square / (square + p["omega_s"] ** 2)
+    if signal == "gauge":
+        return p["a_gauge"] * shape  # (3)
+    angle = p["a_level"] / p["half_base"] ** 2 * shape
+    return (2.0 * p["half_base"]) ** 2 * angle  # (4)
+
+
+def _fra(signal: str, square: FloatArray, p: _Numbers) -> FloatArray:
+    oc = p["omega_c"] ** 2
+    if signal in ("gauge", "cross_level"):
+        both: FloatArray = (
+            4.0 * p["k"] * p["a_level"] * oc / ((square + oc) * (square + p["omega_s"] ** 2))
+        )  # (7)
+        return both
+    one: FloatArray = p["k"] * p["a_" + signal] * oc / (square * (square + oc))  # (5), (6)
+    return one
+
+
+def _fryba(signal: str, square: FloatArray, p: _Numbers) -> FloatArray:
+    n = square / (4.0 * math.pi**2)  # n^2
+    top = p["a_level"] * p["n2"] ** 2 * (n + p["n1"] ** 2)
+    found: FloatArray = top / (n * n * (n + p["n2"] ** 2)) / (2.0 * math.pi)  # (8)
+    return found
+
+
+FORMS = {
+    form.name: form
+    for form in (
+        Form("erri", _erri),
+        Form("fra", _fra, unconfirmed=("alignment", "gauge", "cross_level")),
+        Form("fra_fryba", _fryba, signals=("level",)),
+    )
+}
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """One spectrum: a formula with its numbers.
+
+    Attributes
+    ----------
+    name, description : str
+    form : Form
+    numbers : ParameterSet
+        In SI units, with their sources.
     """
 
     name: str
     description: str
-    form: str
-    wavelengths: tuple[float, float]
-    parameters: dict[str, float]
-    unconfirmed: tuple[str, ...]
+    form: Form
+    numbers: ParameterSet
+
+    @property
+    def wavelengths(self) -> tuple[float, float]:
+        """Shortest and longest for which the source gives it [m]."""
+        shortest, longest = self.numbers.row("wavelengths")
+        return shortest, longest
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """Numbers of the formula in SI units, by the names of the data file."""
+        return {name: value for name, value in self.numbers.values().items() if "[" not in name}
+
+    @property
+    def unconfirmed(self) -> tuple[str, ...]:
+        """Numbers from memory or second hand, and signals whose formula is."""
+        doubtful = (item.name for item in self.numbers.parameters if not item.confirmed)
+        return (*doubtful, *self.form.unconfirmed)
 
     @property
     def signals(self) -> tuple[str, ...]:
         """The signals that it describes."""
-        return _KNOWN_SIGNALS[self.form]
+        return self.form.signals
 
     def density(self, signal: str, omega: FloatArray) -> FloatArray:
         """One-sided S of a signal at angular wave numbers omega > 0 [rad/m], in m^2/(rad/m).
@@ -99,50 +174,24 @@ class Spectrum:
         Raises ValueError for a signal that the spectrum does not describe.
         """
         check_signal(signal, self.signals)
-        square = np.asarray(omega, dtype=float) ** 2
-        p = self.parameters
-        if self.form == "fra_fryba":
-            n = square / (4.0 * math.pi**2)  # n^2
-            top = p["a_level"] * p["n2"] ** 2 * (n + p["n1"] ** 2)
-            fryba: FloatArray = top / (n * n * (n + p["n2"] ** 2)) / (2.0 * math.pi)  # (8)
-            return fryba
-        oc = p["omega_c"] ** 2
-        if self.form == "fra":
-            if signal in ("gauge", "cross_level"):
-                both: FloatArray = (
-                    4.0 * p["k"] * p["a_level"] * oc / ((square + oc) * (square + p["omega_s"] ** 2))
-                )  # (7)
-                return both
-            one: FloatArray = p["k"] * p["a_" + signal] * oc / (square * (square + oc))  # (5), (6)
-            return one
-        shape: FloatArray = oc / ((square + p["omega_r"] ** 2) * (square + oc))
-        if signal in ("level", "alignment"):
-            return p["a_" + signal] * shape  # (1), (2)
-        shape = shape * square / (square + p["omega_s"] ** 2)
-        if signal == "gauge":
-            return p["a_gauge"] * shape  # (3)
-        angle = p["a_level"] / p["half_base"] ** 2 * shape
-        return (2.0 * p["half_base"]) ** 2 * angle  # (4)
+        return self.form.density(signal, np.asarray(omega, dtype=float) ** 2, self.parameters)
 
     def standard_deviation(self, signal: str, wavelengths: tuple[float, float]) -> float:
-        """Standard deviation [m] of a signal in a band of wavelengths [m], by integration."""
+        """Standard deviation [m] of a signal in a band of wavelengths [m], by integration.
+
+        Raises ValueError for a band out of `WAVELENGTHS` or a signal that the spectrum does not describe.
+        """
         check_wavelengths("wavelengths", wavelengths)
         shortest, longest = wavelengths
         # over ln Omega, in which rational spectra are smooth
         x = np.linspace(math.log(2.0 * math.pi / longest), math.log(2.0 * math.pi / shortest), _INTERVALS + 1)
         omega = np.exp(x)
-        y = self.density(signal, omega) * omega
-        integral = (y[0] + y[-1] + 4.0 * y[1::2].sum() + 2.0 * y[2:-1:2].sum()) * (x[1] - x[0]) / 3.0
-        return math.sqrt(integral)
-
-
-def _data() -> dict[str, dict[str, object]]:
-    return tomllib.loads(resources.files("track").joinpath("data/spectra.toml").read_text(encoding="utf-8"))
+        return math.sqrt(float(simpson(self.density(signal, omega) * omega, x=x)))
 
 
 def spectrum_names() -> list[str]:
     """Names of all spectra."""
-    return list(_data())
+    return list(load_parameters("track", "spectra").tables)
 
 
 def spectrum(name: str) -> Spectrum:
@@ -150,19 +199,8 @@ def spectrum(name: str) -> Spectrum:
 
     Raises ValueError for an unknown name; the message lists the known ones.
     """
-    data = _data()
-    if name not in data:
-        raise ValueError(f"spectrum {name!r} is not known, there are: {', '.join(data)}")
-    entry = data[name]
-    numbers = {key: value for key, value in entry.items() if isinstance(value, dict)}
-    form, band = str(entry["form"]), entry["wavelengths"]
-    assert isinstance(band, list)
-    doubtful = [key for key, number in numbers.items() if "unconfirmed" in number]
-    return Spectrum(
-        name=name,
-        description=str(entry["description"]),
-        form=form,
-        wavelengths=(float(band[0]), float(band[1])),
-        parameters={key: float(number["value"]) for key, number in numbers.items()},
-        unconfirmed=(*doubtful, *_UNCONFIRMED[form]),
-    )
+    data = load_parameters("track", "spectra")
+    if name not in data.tables:
+        raise ValueError(f"spectrum {name!r} is not known, there are: {', '.join(data.tables)}")
+    numbers = data.table(name)
+    return Spectrum(name, numbers.texts["description"], FORMS[numbers.texts["form"]], numbers)

@@ -18,10 +18,10 @@ from hh_exudyn.conventions import GRAVITY, RAIL_TOP_DISTANCE
 from track.course.alignment import Alignment, Curve, Straight, Transition, cant_deficiency
 from track.irregularity.quality import CLASSES
 from track.line.line_data import Line, SpeedRule, TrackClass
-from track.line.line_file import LINES, read_line
+from track.line.line_file import line_names, read_line
 from track.rails import NEW, RailPair, Rails, rail_pairs
 
-__all__ = ["LINES", "Line", "TrackClass", "TrackSection", "load_sections", "read_line"]
+__all__ = ["Line", "TrackClass", "TrackSection", "line_names", "load_sections", "read_line"]
 
 _MIRRORED = {"left": "right", "right": "left", "straight": "straight"}
 

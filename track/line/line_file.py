@@ -6,15 +6,19 @@ relative to the file, with a ``wear`` of their own.
 
 import math
 import re
+from dataclasses import dataclass
+from importlib.resources import files
+from importlib.resources.abc import Traversable
 from itertools import pairwise
 from pathlib import Path
 
-from track.data_file import DataTable, own_data, read_data
+from hh_exudyn.entry_points import entries_of, loaded
 from track.irregularity.quality import CLASSES
+from track.line.data_table import DataTable, read_data
 from track.line.line_data import Line, SpeedRule, TrackClass, TransitionRule
 from track.rails import NEW, GaugeRule, RailPair, RailRule, known_rail, rail_pairs
 
-LINES = ("malmbanan",)  # that come with the toolkit
+GROUP = "hh_exudyn.lines"  # of the entry points
 
 _RADIUS = (100.0, 20000.0)  # m, as `track.course.alignment` has it
 _ROUNDING = 0.015  # of distributions and lengths as people print them, in whole per cent
@@ -24,8 +28,44 @@ _Sources = dict[str, str]
 _Quality = tuple[float, float, float, float]
 
 
+@dataclass(frozen=True)
+class LineRecord:
+    """A line by name: its file, and one line of description."""
+
+    name: str
+    file: Path | Traversable
+    description: str
+
+
+LINES = {
+    record.name: record
+    for record in (
+        LineRecord(
+            "malmbanan", files("track") / "data" / "malmbanan.toml", "iron-ore line Luleå - Kiruna - Narvik"
+        ),
+    )
+}
+"""The toolkit's own lines. Other packages add theirs through entry points of the group `GROUP`."""
+
+
+def line_names() -> tuple[str, ...]:
+    """Names of all lines, those of other packages last."""
+    return tuple(dict.fromkeys((*LINES, *entries_of(GROUP))))
+
+
+def line_record(name: str) -> LineRecord:
+    """The record of that name. Raises ValueError for an unknown one (lists the known)."""
+    if name in LINES:
+        return LINES[name]
+    others = entries_of(GROUP)
+    if name not in others:
+        known = ", ".join((*LINES, *others))
+        raise ValueError(f"line {name!r} is no file, and not one of the known lines: {known}")
+    return loaded(others[name], LineRecord)
+
+
 def read_line(path_or_name: str | Path) -> Line:
-    """A line that comes with the toolkit (`LINES`), or one from a TOML file.
+    """A line by name, of the toolkit or of another package, or one from a TOML file.
 
     Raises
     ------
@@ -34,12 +74,10 @@ def read_line(path_or_name: str | Path) -> Line:
         key, value, unit, allowed); shares that do not sum to 100 %, classes that overlap, places without
         rails, countries whose lengths and classes disagree.
     """
-    if isinstance(path_or_name, str) and path_or_name in LINES:
-        return _line(own_data(path_or_name), Path())
-    path = Path(path_or_name)
-    if not path.is_file():
-        raise ValueError(f"line {str(path)!r} is no file, and not one of the known lines: {', '.join(LINES)}")
-    return _line(read_data(path), path.parent)
+    name, path = str(path_or_name), Path(path_or_name)
+    own = isinstance(path_or_name, str) and name in LINES
+    file = path if path.is_file() and not own else line_record(name).file
+    return _line(read_data(file), file.parent if isinstance(file, Path) else Path())
 
 
 def _line(file: DataTable, folder: Path) -> Line:

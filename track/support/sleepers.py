@@ -15,14 +15,13 @@ exact at any frequency, at rest too; for d -> 0 it tends to Winkler's even found
 """
 
 import math
-import tomllib
-from dataclasses import dataclass, fields
-from functools import cache
-from importlib import resources
-from typing import Any, Literal
+from dataclasses import dataclass, fields, replace
+from typing import Literal
 
 import numpy as np
 from scipy.linalg import expm
+
+from hh_exudyn.sourced import Parameter, ParameterSet, load_parameters
 
 Direction = Literal["lateral", "vertical"]
 Loading = Literal["alike", "opposite"]
@@ -160,41 +159,63 @@ def _unit(name: str) -> str:
 UNITS = {item.name: _unit(item.name) for item in fields(SleeperTrack)}
 
 
-@cache
-def _tables() -> dict[str, Any]:
-    """The file of parameter sets."""
-    return tomllib.loads((resources.files("track") / "data" / "flexibility.toml").read_text(encoding="utf-8"))
+def sleeper_track_names() -> tuple[str, ...]:
+    """Names of the parameter sets in `track/data/flexibility.toml`."""
+    return _sets().tables
+
+
+def sleeper_track_numbers(name: str) -> tuple[Parameter, ...]:
+    """The numbers that a set rests on, those of its base first, each by set and quantity.
+
+    Raises ValueError for an unknown name (lists the known ones).
+    """
+    own = _set(name)
+    base = sleeper_track_numbers(own.texts["based_on"]) if "based_on" in own.texts else ()
+    left = (item for item in base if item.name.split(".", 1)[1] not in own or _FACTOR in item.name)
+    return (*left, *(replace(item, name=f"{name}.{item.name}") for item in own.parameters))
 
 
 def sleeper_track(name: str) -> SleeperTrack:
     """The track on sleepers of a parameter set in `track/data/flexibility.toml`.
 
-    A set may be `based_on` another: it then gives numbers of its own, or a `factor` on the other's.
+    A set may be `based_on` another: it then gives numbers of its own, or a factor on the other's.
 
     Raises
     ------
     ValueError
-        Unknown name (lists the known ones); a number without unit, or without a source or an assumption.
+        Unknown name (lists the known ones); a number that no such track has, or has in another unit, and one
+        that is missing.
     """
-    sets = _tables()
-    if name not in sets:
-        raise ValueError(f"track flexibility {name!r} is not known, there are: {', '.join(sorted(sets))}")
-    base = sets[name].get("based_on")
-    values = {} if base is None else vars(sleeper_track(base)).copy()
-    for key, entry in sets[name].items():
-        if key in ("description", "based_on"):
-            continue
-        if key not in UNITS:
-            raise ValueError(f"{key} of track {name!r} is not known, there are: {', '.join(sorted(UNITS))}")
-        if ("source" in entry) == ("assumed" in entry):
-            raise ValueError(f"{key} of track {name!r} needs either a source or assumed")
-        if "factor" in entry and key in values:
-            values[key] *= float(entry["factor"])
-        elif "value" in entry and entry.get("unit") == UNITS[key]:
-            values[key] = float(entry["value"])
-        else:
-            raise ValueError(f"{key} of track {name!r} needs a value and the unit {UNITS[key]}")
+    own = _set(name)
+    values = dict(vars(sleeper_track(own.texts["based_on"]))) if "based_on" in own.texts else {}
+    for item in own.parameters:
+        key = item.name.removeprefix(_FACTOR)
+        factor = key != item.name
+        unit = "-" if factor else UNITS.get(key)
+        if key not in UNITS or (factor and key not in values):
+            known = ", ".join(sorted(UNITS))
+            raise ValueError(f"{item.name} of track {name!r} is not known, there are: {known}")
+        if item.unit != unit:
+            raise ValueError(f"{item.name} of track {name!r} is in {item.unit!r}, allowed is {unit!r}")
+        values[key] = values[key] * item.value if factor else item.value
     missing = sorted(UNITS.keys() - values.keys())
     if missing:
-        raise ValueError(f"{missing[0]} of track {name!r} needs a value and the unit {UNITS[missing[0]]}")
+        raise ValueError(f"track {name!r} has no {missing[0]} [{UNITS[missing[0]]}]")
     return SleeperTrack(**values)
+
+
+_FACTOR = "factor."  # the table of a set that changes its base's numbers
+
+
+def _sets() -> ParameterSet:
+    """The file of parameter sets."""
+    return load_parameters("track", "flexibility")
+
+
+def _set(name: str) -> ParameterSet:
+    """One set of the file. Raises ValueError for an unknown name (lists the known ones)."""
+    known = _sets()
+    if name not in known.tables:
+        names = ", ".join(sorted(known.tables))
+        raise ValueError(f"track flexibility {name!r} is not known, there are: {names}")
+    return known.table(name)

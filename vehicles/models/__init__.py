@@ -1,11 +1,25 @@
-"""The vehicles themselves.
+"""The vehicles themselves: one file each, and `RECORDS`, the records of them all.
 
 =====================  ===============================================================================
 `wagon`                LKAB's iron-ore wagon, one unit or the pair with drawbar
 `three_piece_bogie`    its bogie: bolster, side frames, wheelsets and what couples them
 `locomotive`           LKAB's IORE locomotive: six driven wheelsets with nose-suspended motors
+`parts`                what the builders share: both sides, parts filled from their parameters
 `suspended_wheelset`   reference: the smallest model that hunts, with its closed form
 `cooperrider`          reference: Cooperrider's bogie
 `manchester`           reference: vehicle 1 of the Manchester benchmarks
 =====================  ===============================================================================
+
+A new vehicle is a file here that ends in its record, its numbers in ``vehicles/data``, and a line here.
 """
+
+from vehicles.models import cooperrider, locomotive, manchester, suspended_wheelset, wagon
+from vehicles.record import VehicleRecord
+
+RECORDS: tuple[VehicleRecord, ...] = (
+    *wagon.RECORDS,
+    suspended_wheelset.RECORD,
+    cooperrider.RECORD,
+    manchester.RECORD,
+    locomotive.RECORD,
+)

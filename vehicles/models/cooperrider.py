@@ -1,11 +1,13 @@
 """Cooperrider's bogie: two wheelsets and a frame below a car body that keeps its way."""
 
+from functools import partial
+
+from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import AxleBoxPad, Bushing, Coupling
 from vehicles.description import Body, Vehicle, Wheelset
+from vehicles.models.parts import SIDES, in_directions, principal_inertia
 from vehicles.models.suspended_wheelset import given_contact, held_body, towed
-from vehicles.parameters import ParameterSet
-
-SIDES = ((1, "L"), (-1, "R"))
+from vehicles.record import VehicleRecord
 
 
 def cooperrider_bogie(name: str, p: ParameterSet) -> Vehicle:
@@ -26,7 +28,7 @@ def cooperrider_bogie(name: str, p: ParameterSet) -> Vehicle:
         "bogie_frame",
         "bogie_frame",
         p["bogie_frame.mass"],
-        (p["bogie_frame.roll_inertia"], p["bogie_frame.pitch_inertia"], p["bogie_frame.yaw_inertia"]),
+        principal_inertia(p, "bogie_frame"),
         (0.0, 0.0, height),
         held_weight=0.0,
     )
@@ -40,11 +42,7 @@ def cooperrider_bogie(name: str, p: ParameterSet) -> Vehicle:
                     body_a="bogie_frame",
                     body_b=wheelset.name,
                     point=(wheelset.position[0], side * p["primary.half_spacing"], radius),
-                    stiffness=(
-                        p["primary.longitudinal_stiffness"],
-                        p["primary.lateral_stiffness"],
-                        p["primary.vertical_stiffness"],
-                    ),
+                    stiffness=in_directions(p, "primary", "stiffness"),
                     damping=(0.0, 0.0, 0.0),
                     roll_stiffness=0.0,
                     yaw_stiffness=0.0,
@@ -81,3 +79,11 @@ def cooperrider_bogie(name: str, p: ParameterSet) -> Vehicle:
         dimensions={"wheel_radius": radius, "wheelbase": 2 * half},
         contact=given_contact(p),
     )
+
+
+RECORD = VehicleRecord(
+    "cooperrider_bogie",
+    cooperrider_bogie,
+    partial(load_parameters, "vehicles", "cooperrider_bogie"),
+    "reference: Cooperrider's bogie, contact given",
+)

@@ -4,13 +4,16 @@ Traction goes from the axle boxes to the bogie frame and by a low traction rod t
 motor rides on its axle and hangs from the bogie frame by a link, which takes the reaction of its torque.
 """
 
+from functools import partial
+
 from hh_exudyn.conventions import GRAVITY
+from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import AxleBoxPad, BumpStop, Bushing, Coupling, Rod
 from vehicles.description import Body, Coupler, Drive, Vehicle, Wheelset
-from vehicles.parameters import ParameterSet
+from vehicles.models.parts import SIDES, in_directions, principal_inertia
+from vehicles.record import VehicleRecord
 from vehicles.traction.effort import TractionEquipment
 
-SIDES = ((1, "L"), (-1, "R"))
 _PRIMARY_DEFLECTION = 0.04  # m, where the equilibrium is looked for
 
 
@@ -102,7 +105,7 @@ def _bogie_frame(p: ParameterSet, bogie: int, middle: float) -> Body:
         f"bogie_frame_{bogie}",
         "bogie_frame",
         p["bogie_frame.mass"],
-        (p["bogie_frame.roll_inertia"], p["bogie_frame.pitch_inertia"], p["bogie_frame.yaw_inertia"]),
+        principal_inertia(p, "bogie_frame"),
         (middle, 0.0, p["bogie_frame.height"]),
         _PRIMARY_DEFLECTION,
     )
@@ -133,7 +136,7 @@ def _motor(p: ParameterSet, bogie: int, axle: int, middle: float) -> Body:
         f"motor_{bogie}_{axle}",
         "motor",
         p["motor.mass"],
-        (p["motor.roll_inertia"], p["motor.pitch_inertia"], p["motor.yaw_inertia"]),
+        principal_inertia(p, "motor"),
         (x, 0.0, p["wheelset.radius"]),
         _PRIMARY_DEFLECTION / 2,
     )
@@ -151,11 +154,7 @@ def _wheelset_couplings(p: ParameterSet, bogie: int, axle: int, middle: float) -
             body_b=wheelset,
             point=(x, side * p["wheelset.axle_box_half_spacing"], height),
             stiffness=(p["primary.longitudinal_stiffness"], p[lateral], p["primary.vertical_stiffness"]),
-            damping=(
-                p["primary.longitudinal_damping"],
-                p["primary.lateral_damping"],
-                p["primary.vertical_damping"],
-            ),
+            damping=in_directions(p, "primary", "damping"),
             roll_stiffness=0.0,
             yaw_stiffness=0.0,
         )
@@ -202,11 +201,7 @@ def _body_couplings(p: ParameterSet, bogie: int, middle: float, body_mass: float
             body_b="car_body",
             point=(middle, side * p["secondary.half_spacing"], height),
             stiffness=(horizontal, horizontal, p["secondary.vertical_stiffness"]),
-            damping=(
-                p["secondary.longitudinal_damping"],
-                p["secondary.lateral_damping"],
-                p["secondary.vertical_damping"],
-            ),
+            damping=in_directions(p, "secondary", "damping"),
             rotational_stiffness=(roll, roll, 0.0),
             preload=(0.0, 0.0, body_mass * GRAVITY / 4),
         )
@@ -238,3 +233,11 @@ def _body_couplings(p: ParameterSet, bogie: int, middle: float, body_mass: float
         )
     )
     return couplings
+
+
+RECORD = VehicleRecord(
+    "iore_locomotive",
+    iore_locomotive,
+    partial(load_parameters, "vehicles", "iore_locomotive"),
+    "IORE Co-Co locomotive, one unit, 180 t",
+)

@@ -5,13 +5,15 @@ primary springs are drawn unloaded, so the drawing is higher by their static def
 """
 
 import math
+from functools import partial
 
 from hh_exudyn.conventions import GRAVITY
+from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import AxleBoxPad, BumpStop, Bushing, Coupling
 from vehicles.description import Body, Coupler, Vehicle, Wheelset
-from vehicles.parameters import ParameterSet
+from vehicles.models.parts import SIDES, in_directions, principal_inertia
+from vehicles.record import VehicleRecord
 
-SIDES = ((1, "L"), (-1, "R"))
 _BUMP_STOP_MM = (25, 30, 35, 40, 45, 50, 55, 60, 65)
 
 
@@ -22,7 +24,7 @@ def manchester_vehicle_1(name: str, p: ParameterSet) -> Vehicle:
         "car_body",
         "car_body",
         p["car_body.mass"],
-        (p["car_body.roll_inertia"], p["car_body.pitch_inertia"], p["car_body.yaw_inertia"]),
+        principal_inertia(p, "car_body"),
         (0.0, 0.0, p["car_body.height"] + sunk),
         sunk,
     )
@@ -34,7 +36,7 @@ def manchester_vehicle_1(name: str, p: ParameterSet) -> Vehicle:
             f"bogie_frame_{number}",
             "bogie_frame",
             p["bogie_frame.mass"],
-            (p["bogie_frame.roll_inertia"], p["bogie_frame.pitch_inertia"], p["bogie_frame.yaw_inertia"]),
+            principal_inertia(p, "bogie_frame"),
             (middle, 0.0, p["bogie_frame.height"] + sunk),
             sunk,
         )
@@ -105,11 +107,7 @@ def _secondary(p: ParameterSet, frame: Body, car_body: str, sunk: float) -> list
             body_b=car_body,
             point=(x, side * p["secondary.half_spacing"], height),
             stiffness=(shear, shear, p["secondary.vertical_stiffness"]),
-            damping=(
-                p["secondary.longitudinal_damping"],
-                p["secondary.lateral_damping"],
-                p["secondary.vertical_damping"],
-            ),
+            damping=in_directions(p, "secondary", "damping"),
             rotational_stiffness=(bending, bending, 0.0),
             preload=(0.0, 0.0, p["car_body.mass"] * GRAVITY / 4),
         )
@@ -155,3 +153,11 @@ def _coupler(p: ParameterSet, mass: float) -> Coupler:
         stiffness=mass * pulsation**2,
         damping=2 * p["coupler.train_damping_ratio"] * mass * pulsation,
     )
+
+
+RECORD = VehicleRecord(
+    "manchester_vehicle_1",
+    manchester_vehicle_1,
+    partial(load_parameters, "vehicles", "manchester_vehicle_1"),
+    "reference: passenger coach of the Manchester benchmarks",
+)

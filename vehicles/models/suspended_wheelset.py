@@ -1,13 +1,15 @@
 """The suspended wheelset, the smallest model that hunts, and its critical speed in closed form."""
 
 import math
+from functools import partial
 
 import numpy as np
 from numpy.polynomial import Polynomial
 
+from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import AxleBoxPad
 from vehicles.description import Body, Coupler, GivenContact, Vehicle, Wheelset
-from vehicles.parameters import ParameterSet
+from vehicles.record import VehicleRecord
 
 HELD_MASS = 1e8  # kg, of a body that the forces of a vehicle shall not move
 _REAL = 1e-9  # of its modulus, that the imaginary part of a root may have that counts as real
@@ -97,7 +99,7 @@ def critical_speed_closed_form(
         V^2 [(k_y - (m + I e^2) w^2)(k_psi - I w^2) + c1 p] - c1 k c2 w^2 - h^2 V^4 w^2 = 0.
 
     Own derivation; without roll (e = 0) it is the classical one (for example Wickens 2003, chapter 5, quoted
-    from memory), and linear in V^2.
+    from memory), and linear in V^2. Its eleven arguments are the symbols of the equations.
 
     Parameters
     ----------
@@ -120,7 +122,7 @@ def critical_speed_closed_form(
     ValueError
         A number that is not > 0 (a stiffness: >= 0, not both zero).
     """
-    for label, value, unit in (
+    _require_positive(
         ("mass", mass, "kg"),
         ("yaw_inertia", yaw_inertia, "kg m^2"),
         ("longitudinal_creep", longitudinal_creep, "N"),
@@ -129,9 +131,7 @@ def critical_speed_closed_form(
         ("conicity", conicity, "-"),
         ("radius", radius, "m"),
         ("lateral_stiffness + yaw_stiffness", min(lateral_stiffness + yaw_stiffness, 1.0), "N/m, N m/rad"),
-    ):
-        if not value > 0.0:
-            raise ValueError(f"{label} = {value} {unit}: must be > 0")
+    )
     if min(roll, spin_inertia) < 0.0:
         raise ValueError(f"roll {roll} rad/m, spin_inertia {spin_inertia} kg m^2: must be >= 0")
     if min(lateral_stiffness, yaw_stiffness) < 0.0:
@@ -143,12 +143,8 @@ def critical_speed_closed_form(
     steering = 2.0 * longitudinal_creep * half_distance * conicity / radius
     gyroscopic = roll * spin_inertia / radius
     inertia = c2 * rolling_mass + c1 * moved * yaw_inertia
-    w2 = Polynomial(
-        [
-            (c2 * lateral_stiffness + c1 * moved * yaw_stiffness) / inertia,
-            gyroscopic * (c1 + steering) / inertia,
-        ]
-    )
+    elastic = (c2 * lateral_stiffness + c1 * moved * yaw_stiffness) / inertia
+    w2 = Polynomial([elastic, gyroscopic * (c1 + steering) / inertia])
     v2 = Polynomial([0.0, 1.0])
     even = v2 * ((lateral_stiffness - rolling_mass * w2) * (yaw_stiffness - yaw_inertia * w2) + c1 * steering)
     even = even - c1 * moved * c2 * w2 - gyroscopic**2 * v2**2 * w2
@@ -157,3 +153,18 @@ def critical_speed_closed_form(
     square = min(real[real > 0.0], default=math.inf)
     frequency = math.sqrt(w2(square if math.isfinite(square) else 0.0)) / (2.0 * math.pi)
     return math.sqrt(square), frequency
+
+
+def _require_positive(*numbers: tuple[str, float, str]) -> None:
+    """Raise ValueError for the first number, by label, value and unit, that is not above zero."""
+    for label, value, unit in numbers:
+        if not value > 0.0:
+            raise ValueError(f"{label} = {value} {unit}: must be > 0")
+
+
+RECORD = VehicleRecord(
+    "suspended_wheelset",
+    suspended_wheelset,
+    partial(load_parameters, "vehicles", "suspended_wheelset"),
+    "reference: a wheelset on springs, contact given",
+)

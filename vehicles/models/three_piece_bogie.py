@@ -2,11 +2,11 @@
 
 import math
 
+from hh_exudyn.sourced import ParameterSet
 from vehicles.couplings import AxleBox, CentrePlate, Coupling, SideBearer, SpringNest, Vector, Wedge
 from vehicles.description import Body, BrakeShoe, Wheelset
-from vehicles.parameters import ParameterSet
+from vehicles.models.parts import SIDES, filled, in_directions, principal_inertia
 
-SIDES = ((1, "L"), (-1, "R"))
 SPRING_DEFLECTION = 0.03  # m, between empty and loaded: where the equilibrium is looked for
 PAD_DEFLECTION = 1e-3
 
@@ -18,7 +18,7 @@ def bogie_bodies(p: ParameterSet, number: int, middle: float) -> tuple[Body, ...
         f"bolster_{number}",
         "bolster",
         p["bolster.mass"],
-        (p["bolster.roll_inertia"], p["bolster.pitch_inertia"], p["bolster.yaw_inertia"]),
+        principal_inertia(p, "bolster"),
         (middle, 0.0, p["bolster.height"]),
         SPRING_DEFLECTION,
     )
@@ -27,7 +27,7 @@ def bogie_bodies(p: ParameterSet, number: int, middle: float) -> tuple[Body, ...
             f"side_frame_{number}{letter}",
             "side_frame",
             p["side_frame.mass"],
-            (p["side_frame.roll_inertia"], p["side_frame.pitch_inertia"], p["side_frame.yaw_inertia"]),
+            principal_inertia(p, "side_frame"),
             (middle, side * spacing, p["side_frame.height"]),
             PAD_DEFLECTION,
         )
@@ -96,104 +96,54 @@ def bogie_couplings(p: ParameterSet, number: int, middle: float, car_body: str) 
 
 
 def _axle_box(p: ParameterSet, side_frame: str, wheelset: str, point: Vector) -> AxleBox:
-    return AxleBox(
+    return filled(
+        AxleBox,
+        p,
+        "axle_box",
         name=f"axle_box_{wheelset}_{side_frame[-1]}",
         body_a=side_frame,
         body_b=wheelset,
         point=point,
-        stiffness=(
-            p["axle_box_pad.longitudinal_stiffness"],
-            p["axle_box_pad.lateral_stiffness"],
-            p["axle_box_pad.vertical_stiffness"],
-        ),
-        damping=(
-            p["axle_box_pad.longitudinal_damping"],
-            p["axle_box_pad.lateral_damping"],
-            p["axle_box_pad.vertical_damping"],
-        ),
+        stiffness=in_directions(p, "axle_box_pad", "stiffness"),
+        damping=in_directions(p, "axle_box_pad", "damping"),
         roll_stiffness=p["axle_box_pad.roll_stiffness"],
         yaw_stiffness=p["axle_box_pad.yaw_stiffness"],
-        friction=p["axle_box.friction"],
-        longitudinal_clearance=p["axle_box.longitudinal_clearance"],
-        lateral_clearance=p["axle_box.lateral_clearance"],
-        stop_stiffness=p["axle_box.stop_stiffness"],
     )
 
 
 def _nest(p: ParameterSet, side_frame: str, bolster: str, point: Vector) -> SpringNest:
-    return SpringNest(
-        name=f"nest_{side_frame[-2:]}",
-        body_a=side_frame,
-        body_b=bolster,
-        point=point,
-        first_stiffness=p["spring_nest.first_stiffness"],
-        second_stiffness=p["spring_nest.second_stiffness"],
-        second_from=p["spring_nest.second_from"],
-        longitudinal_stiffness=p["spring_nest.longitudinal_stiffness"],
-        lateral_stiffness=p["spring_nest.lateral_stiffness"],
-        roll_stiffness=p["spring_nest.roll_stiffness"],
-        pitch_stiffness=p["spring_nest.pitch_stiffness"],
-        warp_stiffness=p["spring_nest.warp_stiffness"],
-        shear_damping=p["spring_nest.shear_damping"],
-        vertical_damping=p["spring_nest.vertical_damping"],
-        roll_damping=p["spring_nest.roll_damping"],
-        pitch_damping=p["spring_nest.pitch_damping"],
-        warp_damping=p["spring_nest.warp_damping"],
-        stop_clearance=p["spring_nest.stop_clearance"],
-        stop_stiffness=p["spring_nest.stop_stiffness"],
-    )
+    name = f"nest_{side_frame[-2:]}"
+    return filled(SpringNest, p, "spring_nest", name=name, body_a=side_frame, body_b=bolster, point=point)
 
 
 def _wedge(p: ParameterSet, side_frame: str, bolster: str, point: Vector, end: int) -> Wedge:
-    return Wedge(
+    return filled(
+        Wedge,
+        p,
+        "wedge",
         name=f"wedge_{side_frame[-2:]}_{'front' if end > 0 else 'rear'}",
         body_a=side_frame,
         body_b=bolster,
         point=point,
         direction=end,
-        spring_stiffness=p["wedge.spring_stiffness"],
-        preload=p["wedge.preload"],
         slope=math.radians(p["wedge.slope"]),
         toe=math.radians(p["wedge.toe"]),
-        width=p["wedge.width"],
-        wear=p["wedge.wear"],
-        friction=p["wedge.friction"],
-        slope_friction=p["wedge.slope_friction"],
-        slope_friction_ratio=p["wedge.slope_friction_ratio"],
-        stick_stiffness=p["wedge.stick_stiffness"],
-        stick_damping=p["wedge.stick_damping"],
     )
 
 
 def _centre_plate(p: ParameterSet, bolster: str, car_body: str, point: Vector) -> CentrePlate:
-    return CentrePlate(
+    return filled(
+        CentrePlate,
+        p,
+        "centre_plate",
         name=f"centre_plate_{bolster[-1]}",
         body_a=bolster,
         body_b=car_body,
         point=point,
-        radius=p["centre_plate.radius"],
         stiffness=p["centre_plate.vertical_stiffness"],
         damping=p["centre_plate.vertical_damping"],
-        friction=p["centre_plate.friction"],
-        stick_stiffness=p["centre_plate.stick_stiffness"],
-        stick_damping=p["centre_plate.stick_damping"],
-        rim_clearance=p["centre_plate.rim_clearance"],
-        rim_stiffness=p["centre_plate.rim_stiffness"],
     )
 
 
 def _side_bearer(p: ParameterSet, name: str, bolster: str, car_body: str, point: Vector) -> SideBearer:
-    return SideBearer(
-        name=name,
-        body_a=bolster,
-        body_b=car_body,
-        point=point,
-        preload=p["side_bearer.preload"],
-        stiffness=p["side_bearer.stiffness"],
-        damping=p["side_bearer.damping"],
-        stop_clearance=p["side_bearer.stop_clearance"],
-        stop_stiffness=p["side_bearer.stop_stiffness"],
-        friction=p["side_bearer.friction"],
-        stick_stiffness=p["side_bearer.stick_stiffness"],
-        stick_damping=p["side_bearer.stick_damping"],
-    )
+    return filled(SideBearer, p, "side_bearer", name=name, body_a=bolster, body_b=car_body, point=point)

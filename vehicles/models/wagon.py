@@ -2,7 +2,9 @@
 
 import math
 from dataclasses import dataclass
+from functools import partial
 
+from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import Coupling, Rod, Vector
 from vehicles.description import Body, BrakeShoe, Coupler, Vehicle, Wheelset
 from vehicles.models.three_piece_bogie import (
@@ -12,7 +14,7 @@ from vehicles.models.three_piece_bogie import (
     bogie_shoes,
     bogie_wheelsets,
 )
-from vehicles.parameters import ParameterSet
+from vehicles.record import VehicleRecord
 
 
 @dataclass(frozen=True)
@@ -141,3 +143,29 @@ def _coupler(p: ParameterSet, heads: dict[Vector, str], mass: float) -> Coupler:
         stiffness=mass * pulsation**2,
         damping=2 * p["coupler.train_damping_ratio"] * mass * pulsation,
     )
+
+
+def _record(units: int, loaded: bool) -> VehicleRecord:
+    """The record of one unit or a pair, loaded or empty."""
+    state = "loaded" if loaded else "empty"
+    load = ("30 t axle load" if loaded else "without ore") if units == 1 else state
+    return VehicleRecord(
+        f"iore_wagon_{'' if units == 1 else 'pair_'}{state}",
+        lambda name, p: (ore_wagon if units == 1 else ore_wagon_pair)(name, p, p["wagon.payload"]),
+        partial(_parameters, units, loaded),
+        f"LKAB iron-ore wagon, {'one unit' if units == 1 else 'both units and drawbar'}, {load}",
+    )
+
+
+def _parameters(units: int, loaded: bool) -> ParameterSet:
+    """The numbers of a unit, without payload for the empty one, and for a pair those of the drawbar."""
+    unit = load_parameters("vehicles", "iore_wagon")
+    if not loaded:
+        unit = unit.replace({"wagon.payload": 0.0}, "derived: empty")
+    if units == 1:
+        return unit
+    drawbar = load_parameters("vehicles", "iore_drawbar")
+    return ParameterSet("iore_wagon_pair", unit.parameters + drawbar.parameters)
+
+
+RECORDS = tuple(_record(units, loaded) for units in (1, 2) for loaded in (True, False))

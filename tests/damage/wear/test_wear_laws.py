@@ -11,13 +11,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from damage.parameters import Parameter, parameters
+from damage.parameters import parameters
 from damage.wear.batch import WearDepths, wear_depths
 from damage.wear.british_rail import british_rail_volume
 from damage.wear.jendel import JendelMap
 from damage.wear.law import WearLaw
 from damage.wear.laws import wear_law
 from damage.wear.rate import rate_in_regime, rate_regime, read_rate
+from hh_exudyn.sourced import Parameter
 
 A, B, LOAD, FRICTION, RADIUS = 4e-3, 5e-3, 20e3, 0.1, 0.46
 AREA_MM2 = math.pi * 4.0 * 5.0
@@ -285,11 +286,15 @@ def test_the_table_has_a_row_per_state_and_a_column_per_regime() -> None:
     np.testing.assert_allclose(mass, [5.3 * 40.0, 55.0 * AREA_MM2], rtol=HAND)
 
 
-def test_parameters_without_a_source_are_refused() -> None:
-    with pytest.raises(ValueError, match=r"wear.toml has no table 'ward'; it has: jendel, surface"):
+def test_every_parameter_says_where_it_is_from() -> None:
+    for law in ("jendel", "surface", "british_rail", "usfd"):
+        for name, parameter in parameters("wear", law).items():
+            assert parameter.unit, (law, name)
+            assert isinstance(parameter.confirmed, bool), (law, name)
+    with pytest.raises(ValueError, match=r"wear has no table 'ward'; it has: jendel, surface"):
         parameters("wear", "ward")
-    with pytest.raises(ValueError, match="must start with one of: published, derived, assumed"):
-        Parameter(1.0, "-", "Jendel", confirmed=False)
+    with pytest.raises(ValueError, match="source starts with 'Jendel'; allowed: published, derived, assumed"):
+        Parameter("severe", 1.0, "-", "Jendel", confirmed=False)
 
 
 @pytest.mark.parametrize(

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 from rail_on_sleepers import PLACES, WEIGHTS, receptances
 
+from hh_exudyn.sourced import load_parameters, read_parameters
 from track.support import sleepers as sleepers_file
 from track.support.flexibility import LARGEST_RATE, LEAST_RAIL_MASS, VALID_TO, track_flexibility
-from track.support.sleepers import SleeperTrack, sleeper_track
+from track.support.sleepers import SleeperTrack, sleeper_track, sleeper_track_names
 from track.support.substructure import TrackFlexibility
 
 SETS = ("concrete", "concrete_frozen", "concrete_soft", "concrete_stiff", "wooden", "wooden_frozen")
@@ -150,22 +151,20 @@ def test_bad_input_says_what_is_wrong(monkeypatch) -> None:
         track.receptance("vertical", "alike", -1.0, 0.0)
     with pytest.raises(ValueError, match=r"after_sleeper is 0.7 m, it must be from 0 to 0.6 m"):
         track.receptance("vertical", "alike", 1.0, 0.7)
-    value = {"value": 1.0, "unit": "m", "assumed": "test"}
+    value = {"value": 1.0, "unit": "m", "source": "assumed: test"}
     for table, message in (
         ({"slab_length": value}, "slab_length of track 'bad' is not known"),
-        ({"sleeper_length": {"value": 1.0, "unit": "m"}}, "needs either a source or assumed"),
-        (
-            {"sleeper_length": value | {"unit": "mm"}},
-            "sleeper_length of track 'bad' needs a value and the unit m",
-        ),
-        ({"sleeper_length": value}, "ballast_damping_lateral of track 'bad' needs a value"),
+        ({"factor": {"sleeper_length": value}}, "factor.sleeper_length of track 'bad' is not known"),
+        ({"sleeper_length": value | {"unit": "mm"}}, "sleeper_length of track 'bad' is in 'mm', .* 'm'"),
+        ({"sleeper_length": value}, r"track 'bad' has no ballast_damping_lateral \[N s/m\]"),
     ):
-        monkeypatch.setattr(sleepers_file, "_tables", lambda table=table: {"bad": table})
+        bad = read_parameters({"bad": table}, "flexibility", "flexibility.toml")
+        monkeypatch.setattr(sleepers_file, "_sets", lambda bad=bad: bad)
         with pytest.raises(ValueError, match=message):
             sleeper_track("bad")
 
 
 def test_every_set_describes_itself() -> None:
-    for table in sleepers_file._tables().values():
-        assert table["description"]
+    for name in sleeper_track_names():
+        assert load_parameters("track", "flexibility").texts[f"{name}.description"]
     assert isinstance(sleeper_track("wooden"), SleeperTrack)

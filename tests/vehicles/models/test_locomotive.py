@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from hh_exudyn.conventions import GRAVITY
+from hh_exudyn.sourced import KINDS, load_parameters
 from vehicles.catalogue import vehicle
 from vehicles.couplings import AxleBoxPad, Bushing
-from vehicles.parameters import KINDS, load_parameters
 
 LOCOMOTIVE = vehicle("iore_locomotive")
 
@@ -40,7 +40,7 @@ def test_it_is_symmetric():
 
 def test_bounce_is_that_of_a_locomotive():
     """Body on its secondary springs, bogies on the primary ones: two masses, two springs, 1.2..1.6 Hz."""
-    p = load_parameters("iore_locomotive")
+    p = load_parameters("vehicles", "iore_locomotive")
     body = LOCOMOTIVE.body("car_body").mass
     # half of each motor hangs from its bogie frame
     frames = 2 * p["bogie_frame.mass"] + 6 * p["motor.mass"] * p["motor.distance"] / p["motor.nose_distance"]
@@ -53,7 +53,7 @@ def test_bounce_is_that_of_a_locomotive():
 
 
 def test_every_number_has_unit_and_source():
-    parameters = load_parameters("iore_locomotive").parameters
+    parameters = load_parameters("vehicles", "iore_locomotive").parameters
     assert all(p.unit and p.kind in KINDS for p in parameters)
     published = {p.name for p in parameters if p.kind == "published"}
     assert published >= {"locomotive.mass", "wheelset.spacing", "wheelset.radius", "traction.power"}

@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from hh_exudyn.sourced import KINDS, load_parameters
 from vehicles import catalogue
 from vehicles.catalogue import VEHICLES, vehicle
 from vehicles.models.wagon import ore_wagon
-from vehicles.parameters import KINDS, load_parameters
 
 
 def test_masses_of_table_1_1():
@@ -43,7 +43,7 @@ def test_wagon_is_symmetric():
 
 
 def test_every_number_has_unit_and_source():
-    parameters = load_parameters("iore_wagon")
+    parameters = load_parameters("vehicles", "iore_wagon")
     assert all(p.unit and p.kind in KINDS for p in parameters.parameters)
     for p in parameters.parameters:  # a guess may stand alone, a claim says where from
         assert p.kind == "assumed" or p.source.split(":", 1)[1].strip(), p.name
@@ -55,12 +55,12 @@ def test_unknown_names_say_what_is_known():
     with pytest.raises(ValueError, match="iore_wagon_loaded"):
         vehicle("iore_wagon")
     with pytest.raises(KeyError, match=r"wedge\.friction"):
-        load_parameters("iore_wagon")["wedge.fricton"]
+        load_parameters("vehicles", "iore_wagon")["wedge.fricton"]
 
 
 def test_overload_is_refused():
     with pytest.raises(ValueError, match="102000 kg"):
-        ore_wagon("wagon", load_parameters("iore_wagon"), 110e3)
+        ore_wagon("wagon", load_parameters("vehicles", "iore_wagon"), 110e3)
 
 
 def test_all_vehicles_can_be_made():

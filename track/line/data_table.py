@@ -1,20 +1,17 @@
-"""Data files read strictly: every key named, every number in its range, every table with its source.
+"""The file of a line, read strictly: every key named, every number in its range, every table with its source.
 
-A data file is TOML with units in the names of its keys (``share_percent``, ``radius_m``). Each table says
-in ``source`` how its numbers are known: the text starts with one of `KINDS`, so that a user can list the
-guesses.
+The file is TOML with units in the names of its keys (``share_percent``, ``radius_m``). The ``source``
+of a table holds for all its numbers and begins as that of any number (`hh_exudyn.sourced`).
 A fault is a ValueError of one line with file, key, value, unit and what is allowed.
 """
 
 import difflib
-import math
 import tomllib
-from importlib.resources import files
 from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any
 
-KINDS = ("published", "derived", "assumed")
+from hh_exudyn.sourced import KINDS, kind_of
 
 
 class DataTable:
@@ -97,7 +94,7 @@ class DataTable:
     def source(self) -> str:
         """The table's ``source``: "kind: what is known", kind one of `KINDS`."""
         value = self.text("source")
-        if value.split(":", 1)[0] not in KINDS:
+        if kind_of(value) not in KINDS:
             raise self.error(
                 f"{self.key('source')} = {value!r}: allowed a text that starts with {', '.join(KINDS)}"
             )
@@ -132,14 +129,3 @@ def read_data(path: Path | Traversable) -> DataTable:
         raise ValueError(f"{name}: cannot be read: {error.strerror}") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise ValueError(f"{name}: not valid TOML: {error}") from None
-
-
-def own_data(name: str) -> DataTable:
-    """The file ``track/data/<name>.toml`` of the toolkit."""
-    return read_data(files("track") / "data" / f"{name}.toml")
-
-
-def check_range(name: str, value: float, unit: str, low: float, high: float) -> None:
-    """Raise ValueError unless `value` is a finite number from `low` to `high` (NaN is not)."""
-    if not (low <= value <= high and math.isfinite(value)):
-        raise ValueError(f"{name} is {value} {unit}, allowed are {low:g} to {high:g} {unit}")

@@ -1,0 +1,31 @@
+"""What the builders of vehicles share: both sides, and parts filled from the parameters of their name."""
+
+from dataclasses import fields
+from typing import Any, TypeVar
+
+from hh_exudyn.sourced import ParameterSet
+from vehicles.couplings import Vector
+
+SIDES = ((1, "L"), (-1, "R"))  # sign of y, letter in names
+
+_Part = TypeVar("_Part")
+
+
+def principal_inertia(p: ParameterSet, part: str) -> Vector:
+    """Moments of inertia about x, y and z [kg m^2]: the part's roll, pitch and yaw inertia."""
+    return p[f"{part}.roll_inertia"], p[f"{part}.pitch_inertia"], p[f"{part}.yaw_inertia"]
+
+
+def in_directions(p: ParameterSet, part: str, quantity: str) -> Vector:
+    """A part's longitudinal, lateral and vertical stiffness or damping, in the units of the file."""
+    along, across, down = (p[f"{part}.{axis}_{quantity}"] for axis in ("longitudinal", "lateral", "vertical"))
+    return along, across, down
+
+
+def filled(kind: type[_Part], p: ParameterSet, part: str, **given: Any) -> _Part:
+    """A coupling: every field that is not given is the part's parameter of the field's name.
+
+    Raises KeyError for a field that neither has.
+    """
+    numbers = {field.name: p[f"{part}.{field.name}"] for field in fields(kind) if field.name not in given}  # type: ignore[arg-type]
+    return kind(**given, **numbers)

@@ -1,0 +1,33 @@
+"""The record of a vehicle in the catalogue: name, builder, numbers, description."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from hh_exudyn.sourced import ParameterSet
+from vehicles.description import Vehicle
+
+
+@dataclass(frozen=True)
+class VehicleRecord:
+    """A vehicle of the catalogue.
+
+    Attributes
+    ----------
+    name : str
+        By which case files and commands call it.
+    build : callable
+        The `Vehicle` from its name and its numbers; raises ValueError for numbers that make none.
+    parameters : callable
+        Gives the numbers, mostly `hh_exudyn.sourced.load_parameters` of a file.
+    description : str
+        One line.
+    """
+
+    name: str
+    build: Callable[[str, ParameterSet], Vehicle]
+    parameters: Callable[[], ParameterSet]
+    description: str
+
+    def vehicle(self) -> Vehicle:
+        """The vehicle with the numbers of its file."""
+        return self.build(self.name, self.parameters())
