@@ -19,6 +19,7 @@ LINES = 400
 
 BASE = (  # everything may import these
     "hh_exudyn", "hh_exudyn.arrays", "hh_exudyn.conventions", "hh_exudyn.kernel",
+    "hh_exudyn.signals",
 )  # fmt: skip
 MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is named by its prefix
     "hh_exudyn.contact": (),
@@ -38,6 +39,7 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "hh_exudyn.arrays": (),
     "hh_exudyn.conventions": (),
     "hh_exudyn.kernel": (),
+    "hh_exudyn.signals": (),
     "hh_exudyn": (),  # the package itself
 }  # fmt: skip
 ONLY_IN = {"exudyn": "hh_exudyn.multibody", "numba": "hh_exudyn.kernel"}

@@ -3,7 +3,7 @@
 Read in this order:
 
 * `sections`: the test sections of the run's alignment: straights, transitions, curves by radius
-* `signals`: filters, sliding means and effective values
+* `windows`: sliding means and effective values over distance
 * `accelerations`: of the body over its bogies and of the bogies over their wheelsets
 * `limits`: what each quantity is held against, every number with its source, confirmed or not
 * `report`: `assess(run)`, the percentiles of every section and place
