@@ -95,7 +95,9 @@ def test_columns_are_filtered_each_by_itself() -> None:
 def test_bad_signals_are_refused() -> None:
     values = np.arange(10.0)
     for cutoff in (60.0, 50.0, 0.0, -1.0, math.nan):
-        with pytest.raises(ValueError, match=rf"cut-off is {cutoff} Hz, allowed are above 0 to below 49\.968 Hz"):
+        with pytest.raises(
+            ValueError, match=rf"cut-off is {cutoff} Hz, allowed are above 0 to below 49\.968 Hz"
+        ):
             low_pass(values, 0.01, cutoff)
     with pytest.raises(ValueError, match=r"the signal is 0\.1 s long, above 7\.5 s are needed: 3 periods of"):
         band_pass(values, 0.01, (0.4, 10.0))
