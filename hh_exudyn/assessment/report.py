@@ -1,4 +1,4 @@
-"""`assess(run)`: the quantities of UIC 518 / EN 14363 in every test section of a run, and their limits.
+"""`standard_assessment`: the quantities of UIC 518 / EN 14363 in the test sections of a run, with limits.
 
 ===========================  =====================================================  =======================
 quantity                     processing                                             value that is judged
@@ -196,8 +196,8 @@ _SCHEMA = pyarrow.schema(
 )  # fmt: skip
 
 
-def assess(run: Run, vehicle: int = 1, section_length: float | None = None) -> Assessment:
-    """Assess a run.
+def standard_assessment(run: Run, vehicle: int = 1, section_length: float | None = None) -> Assessment:
+    """The assessment of a run after UIC 518 / EN 14363.
 
     Parameters
     ----------

@@ -8,29 +8,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from hh_exudyn.cli.output import (
-    STOPPED,
-    NewFigure,
-    Refused,
-    check,
-    err,
-    fail,
-    new_table,
-    number,
-    out,
-    print_table,
-    require_new_figure,
-    told,
-    write_figure,
-)
+from hh_exudyn.cli import inputs, output
 
 if TYPE_CHECKING:
     from hh_exudyn.multibody.linear.modes import CriticalSpeed, LinearVehicle
 
 SLOWEST, FASTEST = 5.0, 500.0  # km/h
 _LOCUS_SPEEDS = 25  # of the figure
-
-CaseFile = Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file.")]
 
 
 def register(app: typer.Typer) -> None:
@@ -40,7 +24,7 @@ def register(app: typer.Typer) -> None:
 
 
 def modes(
-    case: CaseFile,
+    case: inputs.CaseFile,
     speed_km_h: Annotated[
         float | None, typer.Option(metavar="km/h", help="Speed. [default: the case's]")
     ] = None,
@@ -51,11 +35,9 @@ def modes(
     mode: Annotated[int, typer.Option(metavar="N", help="Which mode, by its number in the table.")] = 1,
 ) -> None:
     """Oscillating modes of a case's vehicle on straight track: frequency, damping, what moves most."""
-    with told():
-        if playback is not None and playback.exists():
-            raise Refused(f"--playback {playback}: exists already, allowed is a new file")
-        if speed_km_h is not None:
-            check("--speed-km-h", speed_km_h, SLOWEST, FASTEST, "km/h")
+    with output.errors_in_one_line():
+        inputs.require_new_file(playback, "--playback", inputs.RECORDINGS)
+        inputs.check_range("--speed-km-h", speed_km_h, SLOWEST, FASTEST, "km/h")
         vehicle, own = _linear(case)
         speed = own if speed_km_h is None else speed_km_h / 3.6
         from hh_exudyn.multibody.equilibrium import NoEquilibrium
@@ -63,9 +45,9 @@ def modes(
         try:
             found = vehicle.modes(speed, undamped=undamped)
         except NoEquilibrium as error:
-            fail(STOPPED, str(error))
+            output.fail(output.STOPPED, str(error))
         kind = ", dampers and creep off" if undamped else ""
-        table = new_table(
+        table = output.new_table(
             f"Modes of {vehicle.vehicle.name} at {speed * 3.6:g} km/h{kind}",
             ("mode", "frequency [Hz]", "damping ratio [%]", "moves most"),
         )
@@ -73,59 +55,56 @@ def modes(
         for row, each in enumerate(found, 1):
             table.add_row(
                 str(row),
-                number(each.frequency, 4),
-                number(100.0 * each.damping_ratio, 2),
+                output.number(each.frequency, 4),
+                output.number(100.0 * each.damping_ratio, 2),
                 each.largest(vehicle.names),
             )
-        print_table(table)
-        out.print("friction elements stick; a negative damping ratio is a motion that grows")
+        output.print_table(table)
+        output.print_line("friction elements stick; a negative damping ratio is a motion that grows")
         if playback is not None:
-            check("--mode", mode, 1, len(found), "")
+            inputs.check_range("--mode", mode, 1, len(found), "")
             from hh_exudyn.case import read_case
             from hh_exudyn.playback.mode import record_mode
 
             shown = found[mode - 1]
             name = f"{vehicle.vehicle.name}, mode {mode}: {shown.frequency:.3f} Hz"
             record_mode(read_case(case), vehicle.vehicle, shown.shape, playback, name=name)
-            out.print(f"recording: {playback}")
+            output.print_line(f"recording: {playback}")
 
 
 def critical_speed(
-    case: CaseFile,
+    case: inputs.CaseFile,
     from_km_h: Annotated[float, typer.Option(metavar="km/h", help="Lowest speed looked at.")] = 20.0,
     to_km_h: Annotated[float, typer.Option(metavar="km/h", help="Highest speed looked at.")] = 300.0,
     step_km_h: Annotated[float, typer.Option(metavar="km/h", help="Distance of the speeds.")] = 20.0,
-    figure: NewFigure = None,
+    figure: inputs.NewFigure = None,
 ) -> None:
     """Speed at which a case's vehicle begins to hunt by its eigenvalues; a figure is the root locus."""
-    with told():
-        check("--from-km-h", from_km_h, SLOWEST, FASTEST, "km/h")
-        check("--to-km-h", to_km_h, SLOWEST, FASTEST, "km/h")
-        check("--step-km-h", step_km_h, 0.1, FASTEST, "km/h")
+    with output.errors_in_one_line():
+        inputs.check_range("--from-km-h", from_km_h, SLOWEST, FASTEST, "km/h")
+        inputs.check_range("--to-km-h", to_km_h, SLOWEST, FASTEST, "km/h")
+        inputs.check_range("--step-km-h", step_km_h, 0.1, FASTEST, "km/h")
         if not from_km_h < to_km_h:
-            raise Refused(f"--to-km-h {to_km_h:g} km/h: allowed above --from-km-h {from_km_h:g} km/h")
-        require_new_figure(figure)
+            raise inputs.BadInput(f"--to-km-h {to_km_h:g} km/h: allowed above --from-km-h {from_km_h:g} km/h")
+        inputs.require_new_file(figure, "--out", inputs.FIGURES)
         vehicle, _ = _linear(case)
         import hh_exudyn.multibody.linear.modes as linear
         from hh_exudyn.multibody.equilibrium import NoEquilibrium
 
         try:
-            with err.status("critical speed"):
+            with output.status("critical speed"):
                 found = linear.critical_speed(vehicle, from_km_h / 3.6, to_km_h / 3.6, step_km_h / 3.6)
         except NoEquilibrium as error:
-            fail(STOPPED, str(error))
+            output.fail(output.STOPPED, str(error))
         name = vehicle.vehicle.name
         if found is None:
-            out.print(f"{name}: stable from {from_km_h:g} to {to_km_h:g} km/h", markup=False)
+            output.print_line(f"{name}: stable from {from_km_h:g} to {to_km_h:g} km/h")
         elif found.speed * 3.6 <= from_km_h + 1e-9:
-            out.print(
-                f"{name}: unstable already at {from_km_h:g} km/h, {_what(found, vehicle)}", markup=False
-            )
+            output.print_line(f"{name}: unstable already at {from_km_h:g} km/h, {_what(found, vehicle)}")
         else:
-            out.print(
+            output.print_line(
                 f"{name}: critical speed {found.speed * 3.6:.2f} km/h ({found.speed:.3f} m/s), "
-                f"{_what(found, vehicle)}",
-                markup=False,
+                f"{_what(found, vehicle)}"
             )
         if figure is not None:
             import numpy as np
@@ -133,10 +112,10 @@ def critical_speed(
             from hh_exudyn.figures.root_locus import root_locus_figure
 
             speeds = np.linspace(from_km_h, to_km_h, _LOCUS_SPEEDS) / 3.6
-            with err.status("root locus"):
+            with output.status("root locus"):
                 locus = linear.root_locus(vehicle, [float(speed) for speed in speeds])
             speed = None if found is None else found.speed
-            write_figure(root_locus_figure(f"Root locus of {name}", speeds, locus, speed), figure)
+            output.write_figure(root_locus_figure(f"Root locus of {name}", speeds, locus, speed), figure)
 
 
 def _what(found: "CriticalSpeed", vehicle: "LinearVehicle") -> str:
@@ -151,7 +130,5 @@ def _linear(path: Path) -> "tuple[LinearVehicle, float]":
     from hh_exudyn.multibody.linear.modes import LinearVehicle
 
     case = read_case(path)
-    try:
+    with inputs.refused_as_bad_input():
         return LinearVehicle(case.described_vehicle(), case), case.speed
-    except ValueError as error:
-        raise Refused(str(error)) from None

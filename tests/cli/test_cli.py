@@ -12,7 +12,7 @@ from typer.testing import CliRunner, Result
 
 from hh_exudyn import __version__
 from hh_exudyn.case import Case, read_case
-from hh_exudyn.cli import app
+from hh_exudyn.cli.app import app
 from hh_exudyn.log.store import Recorder, open_run
 
 DEMO = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text(encoding="utf-8")

@@ -5,7 +5,7 @@ import re
 import pytest
 from typer.testing import CliRunner
 
-from hh_exudyn.cli import app
+from hh_exudyn.cli.app import app
 from vehicles.models.suspended_wheelset import critical_speed_closed_form
 
 CASE = """
