@@ -1,4 +1,4 @@
-"""The numbers of damage: ``damage/data/<name>.toml`` and files of other packages, read by `hh_exudyn.sourced`."""
+"""The numbers of damage, of ``damage/data`` and of other packages, read by `hh_exudyn.sourced`."""
 
 import tomllib
 from functools import cache

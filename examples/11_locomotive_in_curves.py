@@ -14,7 +14,7 @@ import pyarrow
 
 from hh_exudyn.case import Case, CurveCase, StraightCase, TrackCase, TransitionCase
 from hh_exudyn.case.traction import SteeringCase
-from hh_exudyn.figures.traction import steering_figure
+from hh_exudyn.figures.traction import bogie_curving_figure
 from hh_exudyn.multibody.simulate import simulate
 from vehicles.catalogue import vehicle
 
@@ -52,7 +52,7 @@ def main() -> None:
             found[name][i] = leading_outer_wheel(run.contact())
             print(f"{radius:g} m {name}: attack {found[name][i, 0]:.2f} mrad, wear {found[name][i, 4]:.0f} N")
     panels = {label: {n: v[:, k : k + 1] for n, v in found.items()} for k, label in enumerate(LABELS)}
-    steering_figure("leading outer wheel", radii, panels).savefig(folder / "curving.png")
+    bogie_curving_figure("leading outer wheel", radii, panels).savefig(folder / "curving.png")
 
 
 if __name__ == "__main__":

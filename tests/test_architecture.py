@@ -22,7 +22,7 @@ LINES = 400
 
 BASE = (  # everything may import these
     "hh_exudyn", "hh_exudyn.arrays", "hh_exudyn.conventions", "hh_exudyn.entry_points", "hh_exudyn.glossary",
-    "hh_exudyn.kernel", "hh_exudyn.sourced",
+    "hh_exudyn.kernel", "hh_exudyn.signals", "hh_exudyn.sourced",
 )  # fmt: skip
 MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is named by its prefix
     "hh_exudyn.contact": (),
@@ -44,6 +44,7 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "hh_exudyn.entry_points": (),
     "hh_exudyn.glossary": (),
     "hh_exudyn.kernel": (),
+    "hh_exudyn.signals": (),
     "hh_exudyn.sourced": (),
     "hh_exudyn": (),  # the package itself
 }  # fmt: skip

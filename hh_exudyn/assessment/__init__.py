@@ -3,10 +3,10 @@
 Read in this order:
 
 * `sections`: the test sections of the run's alignment: straights, transitions, curves by radius
-* `signals`: filters, sliding means and effective values
+* `windows`: sliding means and effective values over distance
 * `accelerations`: of the body over its bogies and of the bogies over their wheelsets
 * `limits`: what each quantity is held against, every number with its source, confirmed or not
-* `report`: `assess(run)`, the percentiles of every section and place
+* `report`: `standard_assessment(run)`, the percentiles of every section and place
 
 None of the standards was at hand. How quantities are processed was read in GENSYS's table of UIC 518; most
 limits are unconfirmed and every table says which. The quality of the track that a run went over is not

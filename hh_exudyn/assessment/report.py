@@ -1,4 +1,4 @@
-"""`assess(run)`: the quantities of UIC 518 / EN 14363 in every test section of a run, and their limits.
+"""`standard_assessment`: the quantities of UIC 518 / EN 14363 in the test sections of a run, with limits.
 
 ===========================  =====================================================  =======================
 quantity                     processing                                             value that is judged
@@ -37,17 +37,11 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.assessment.accelerations import body_places, bogie_places, point_accelerations
 from hh_exudyn.assessment.limits import Limit, beyond_the_standards, data, limits
 from hh_exudyn.assessment.sections import AssessedSection, cut_sections
-from hh_exudyn.assessment.signals import (
-    band_pass,
-    low_pass,
-    single_pass_cutoff,
-    sliding_mean,
-    sliding_rms,
-    window_centres,
-)
+from hh_exudyn.assessment.windows import sliding_mean, sliding_rms, window_centres
 from hh_exudyn.case import Case
 from hh_exudyn.log.store import Run
 from hh_exudyn.log.wheel_forces import WheelForces, wheel_forces
+from hh_exudyn.signals import band_pass, low_pass
 from vehicles.description import Vehicle
 from vehicles.stored import from_json
 
@@ -202,8 +196,8 @@ _SCHEMA = pyarrow.schema(
 )  # fmt: skip
 
 
-def assess(run: Run, vehicle: int = 1, section_length: float | None = None) -> Assessment:
-    """Assess a run.
+def standard_assessment(run: Run, vehicle: int = 1, section_length: float | None = None) -> Assessment:
+    """The assessment of a run after UIC 518 / EN 14363.
 
     Parameters
     ----------
@@ -260,7 +254,7 @@ def _sum_y(forces: WheelForces) -> History:
 def _force_histories(forces: WheelForces, covered: tuple[float, float]) -> dict[str, History]:
     """sum Y and Y/Q as sliding means; Q and Y below 20 Hz."""
     how = data()["processing"]
-    smooth = forces.filtered(single_pass_cutoff(how["low_pass_Hz"], forces.interval))
+    smooth = forces.filtered(how["low_pass_Hz"])
     wheelsets = forces.s.shape[1]
     wheels = tuple(f"wheel {number + 1}{side}" for number in range(wheelsets) for side in "LR")
     s = np.repeat(forces.s, 2, axis=1)

@@ -8,6 +8,7 @@
 `track`      alignment, irregularities, lines
 `vehicle`    vehicles and their numbers
 `linear`     modes and critical speeds
-`output`     errors, exit codes, tables, figures
+`inputs`     common arguments, refusal of bad input, reading of a run
+`output`     lines, tables, figures, exit codes
 ===========  ========================================================================================
 """

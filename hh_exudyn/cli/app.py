@@ -1,9 +1,5 @@
 """The command ``hh-exudyn``: run a case, demo, damage, playback. It knows everything and computes nothing.
 
-The commands about one contact stand in `cli_contact`, those about track in `cli_track`, those about vehicles
-in `cli_vehicle`, linear analysis in `cli_linear`, damage in `cli_damage`, the standard assessment in
-`cli_assess`, what all commands share in `cli_output`.
-
 =========  ==================================================================================
 exit code  meaning
 =========  ==================================================================================
@@ -32,25 +28,12 @@ from hh_exudyn import __version__
 from hh_exudyn.cli import assess as cli_assess
 from hh_exudyn.cli import contact as cli_contact
 from hh_exudyn.cli import damage as cli_damage
+from hh_exudyn.cli import inputs, output
 from hh_exudyn.cli import linear as cli_linear
 from hh_exudyn.cli import parameters as cli_parameters
 from hh_exudyn.cli import track as cli_track
 from hh_exudyn.cli import vehicle as cli_vehicle
-from hh_exudyn.cli.damage import opened, show_damage
-from hh_exudyn.cli.output import (
-    INTERRUPTED,
-    STOPPED,
-    Refused,
-    err,
-    fail,
-    kept,
-    new_table,
-    number,
-    out,
-    print_table,
-    require_new_folder,
-    told,
-)
+from hh_exudyn.cli.damage import show_damage
 
 if TYPE_CHECKING:
     from damage.summary import WheelsetSummary
@@ -74,21 +57,18 @@ cli_vehicle.register(app)
 cli_linear.register(app)
 cli_parameters.register(app)
 
-NewFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="New or empty folder for the run.")]
-RunFolder = Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")]
-
 
 def main() -> None:
     """Entry point of ``hh-exudyn``."""
     try:
         app()
     except KeyboardInterrupt:  # outside of a command: while a library is imported
-        sys.exit(INTERRUPTED)
+        sys.exit(output.INTERRUPTED)
 
 
 def _print_version(wanted: bool) -> None:
     if wanted:
-        out.print(f"hh-exudyn {__version__}")
+        output.print_line(f"hh-exudyn {__version__}")
         raise typer.Exit
 
 
@@ -102,52 +82,49 @@ def _options(
 
 
 @app.command()
-def run(
-    case: Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file.")], out_folder: NewFolder
-) -> None:
+def run(case: inputs.CaseFile, out_folder: inputs.NewFolder) -> None:
     """Simulate a case: logs, recording, and a table of the wheelsets in the last part of the run."""
-    with told(out_folder):
+    with output.errors_in_one_line(out_folder):
         from hh_exudyn.case import read_case
 
-        require_new_folder(out_folder)
+        inputs.require_new_folder(out_folder)
         _show_run(_simulated(read_case(case), out_folder))
 
 
 @app.command()
-def demo(out_folder: NewFolder) -> None:
+def demo(out_folder: inputs.NewFolder) -> None:
     """A loaded iron-ore wagon through a curve of 450 m: simulate, record, compute damage."""
-    with told(out_folder):
+    with output.errors_in_one_line(out_folder):
         from hh_exudyn.case import Case
 
-        require_new_folder(out_folder)
+        inputs.require_new_folder(out_folder)
         text = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text(encoding="utf-8")
-        done = _simulated(Case.from_toml(text, source="demo.toml"), out_folder)
-        _show_run(done)
-        show_damage(done, out_folder / "damage")
+        finished = _simulated(Case.from_toml(text, source="demo.toml"), out_folder)
+        _show_run(finished)
+        show_damage(finished, out_folder / "damage")
 
 
 @app.command()
 def playback(
-    folder: RunFolder,
+    folder: inputs.RunFolder,
     save: Annotated[
         Path | None,
         typer.Option(metavar="F.rrd", help="Write the recording to this new file and open no viewer."),
     ] = None,
 ) -> None:
     """Play a run in the rerun viewer, or save its recording."""
-    with told(folder):
-        done = opened(folder)
+    with output.errors_in_one_line(folder):
+        finished = inputs.read_run(folder)
         if save is not None:
-            if save.exists():
-                raise Refused(f"--save {save}: exists already, allowed is a new file")
-            _record(done, save)
+            inputs.require_new_file(save, "--save", inputs.RECORDINGS)
+            _record(finished, save)
             return
         from hh_exudyn.playback.viewer import open_viewer
 
         recording = folder / RECORDING
         if not recording.is_file():
-            _record(done, recording)
-        out.print(f"{recording} opens in the rerun viewer (process {open_viewer(recording)})")
+            _record(finished, recording)
+        output.print_line(f"{recording} opens in the rerun viewer (process {open_viewer(recording)})")
 
 
 def _simulated(case: "Case", folder: Path) -> "Run":
@@ -159,38 +136,38 @@ def _simulated(case: "Case", folder: Path) -> "Run":
         with _progress_bar(case.name) as progress:
             return simulate(case, folder, progress=progress)
     except (SimulationStopped, NoEquilibrium) as error:
-        fail(STOPPED, f"{error}; {kept(folder)}")
+        output.fail(output.STOPPED, f"{error}; {output.log_place(folder)}")
     except (ValueError, OSError) as error:
         if not folder.exists():  # nothing was begun: the case cannot be built, or the folder not be made
-            raise Refused(str(error)) from None
+            raise inputs.BadInput(str(error)) from None
         raise
 
 
-def _show_run(done: "Run") -> None:
+def _show_run(run: "Run") -> None:
     """Record the run and print its table and where things are."""
     from damage.summary import steady_window, wheelset_summary
     from hh_exudyn.case import Case
     from hh_exudyn.case.numbers import assumed_summary
 
-    window = steady_window(done)
-    _record(done, done.directory / RECORDING)
-    print_table(_wheelset_table(wheelset_summary(done, window), window))
-    out.print(assumed_summary(Case.from_toml(done.case_text)))
-    out.print("Y is positive outwards; attack and position are positive to the left")
-    out.print(f"play it: hh-exudyn playback {done.directory}")
+    window = steady_window(run)
+    _record(run, run.directory / RECORDING)
+    output.print_table(_wheelset_table(wheelset_summary(run, window), window))
+    output.print_line(assumed_summary(Case.from_toml(run.case_text)))
+    output.print_line("Y is positive outwards; attack and position are positive to the left")
+    output.print_line(f"play it: hh-exudyn playback {run.directory}")
 
 
-def _record(done: "Run", path: Path) -> None:
+def _record(run: "Run", path: Path) -> None:
     from hh_exudyn.playback.run import record
 
-    with err.status("recording"):
-        record(done, path)
-    out.print(f"recording: {path}")
+    with output.status("recording"):
+        record(run, path)
+    output.print_line(f"recording: {path}")
 
 
 def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) -> Table:
     """The summary with units, a line per wheel; what belongs to the wheelset stands in its first line."""
-    table = new_table(
+    table = output.new_table(
         f"Means from {window[0]:.2f} to {window[1]:.2f} s",
         ("wheel", "Q [kN]", "Y [kN]", "Y/Q [-]", "angle\u00a0of attack [mrad]", "lateral position [mm]",
          "p_max [MPa]", "wear number [N]", "FI>0 [%]"),
@@ -198,13 +175,13 @@ def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) 
     several = len({row.vehicle for row in rows}) > 1
     for row in rows:
         unit = f"{row.vehicle}." if several else ""
-        of_wheelset = (number(row.angle_of_attack * 1e3, 2), number(row.lateral * 1e3, 2))
+        of_wheelset = (output.number(row.angle_of_attack * 1e3, 2), output.number(row.lateral * 1e3, 2))
         for i, side in enumerate("LR"):
             table.add_row(
                 f"{unit}{row.wheelset}{side}",
-                number(row.Q[i] * 1e-3, 1),
-                number(row.Y[i] * 1e-3, 1),
-                number(row.y_over_q[i], 3),
+                output.number(row.Q[i] * 1e-3, 1),
+                output.number(row.Y[i] * 1e-3, 1),
+                output.number(row.y_over_q[i], 3),
                 *(of_wheelset if i == 0 else ("", "")),
                 f"{row.p_max[i] * 1e-6:.0f}",
                 f"{row.wear_number[i]:.0f}",
@@ -217,6 +194,6 @@ def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) 
 def _progress_bar(name: str) -> Iterator[Callable[[float, str], None]]:
     """A progress bar on stderr, as the function that `simulate` calls; nothing where stderr is a file."""
     columns = (TextColumn(name), BarColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
-    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
+    with Progress(*columns, console=output.err, transient=True, disable=not output.err.is_terminal) as bar:
         task = bar.add_task("equilibrium", total=1.0)
         yield lambda fraction, text: bar.update(task, completed=fraction, description=text)

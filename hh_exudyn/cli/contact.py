@@ -12,20 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.table import Table
 
-from hh_exudyn.cli.output import (
-    NOTHING,
-    NewFigure,
-    Refused,
-    check,
-    err,
-    new_table,
-    number,
-    out,
-    print_table,
-    require_new_figure,
-    told,
-    write_figure,
-)
+from hh_exudyn.cli import inputs, output
 
 if TYPE_CHECKING:
     from hh_exudyn.contact.geometry.merit import ConicityReport
@@ -61,19 +48,19 @@ def patch(
     cells: Annotated[
         int, typer.Option(metavar="N", help="Cells along the patch, and strips across it.")
     ] = 50,
-    figure: NewFigure = None,
+    figure: inputs.NewFigure = None,
 ) -> None:
     """Creep forces of one elliptic patch after every theory, side by side: a table and a figure."""
-    with told():
-        check("--a-mm", a_mm, 0.1, 100.0, "mm")
-        check("--b-mm", b_mm, 0.1, 100.0, "mm")
-        check("--load-kn", load_kn, 0.001, 1000.0, "kN")
-        check("--nu-x", nu_x, -1.0, 1.0, "")
-        check("--nu-y", nu_y, -1.0, 1.0, "")
-        check("--spin", spin, -100.0, 100.0, "1/m")
-        check("--friction", friction, 0.001, 2.0, "")
-        check("--cells", cells, 5, 400, "")
-        require_new_figure(figure)
+    with output.errors_in_one_line():
+        inputs.check_range("--a-mm", a_mm, 0.1, 100.0, "mm")
+        inputs.check_range("--b-mm", b_mm, 0.1, 100.0, "mm")
+        inputs.check_range("--load-kn", load_kn, 0.001, 1000.0, "kN")
+        inputs.check_range("--nu-x", nu_x, -1.0, 1.0)
+        inputs.check_range("--nu-y", nu_y, -1.0, 1.0)
+        inputs.check_range("--spin", spin, -100.0, 100.0, "1/m")
+        inputs.check_range("--friction", friction, 0.001, 2.0)
+        inputs.check_range("--cells", cells, 5, 400)
+        inputs.require_new_file(figure, "--out", inputs.FIGURES)
         names = _theories(theory or [])
         from hh_exudyn.contact.material import STEEL
         from hh_exudyn.contact.tangential.api import creep_force, traction_field
@@ -87,13 +74,13 @@ def patch(
             for name in names
             if name in FIELD_THEORIES
         }
-        print_table(_patch_table(load, forces, fields))
-        out.print(
+        output.print_table(_patch_table(load, forces, fields))
+        output.print_line(
             "forces on the wheel; limit: friction * normal force; "
             f"steel: G = {STEEL.shear_modulus * 1e-9:g} GPa, nu = {STEEL.poisson_ratio:g}"
         )
         if figure is not None:
-            write_figure(patch_figure(load, forces, fields), figure)
+            output.write_figure(patch_figure(load, forces, fields), figure)
 
 
 def _patch_table(
@@ -104,14 +91,14 @@ def _patch_table(
 
     limit = load.friction * load.normal_force
     pressure = 1.5 * load.normal_force / (math.pi * load.a * load.b)
-    table = new_table(
+    table = output.new_table(
         f"Patch of {2e3 * load.a:.4g} x {2e3 * load.b:.4g} mm under {load.normal_force * 1e-3:.4g} kN, "
         f"Hertz pressure {pressure * 1e-6:.0f} MPa",
         ("theory", "F_x [kN]", "F_y [kN]", "M_z [N\u00a0m]", "force over limit [%]", "max traction [MPa]",
          "slip [%\u00a0of\u00a0area]"),
     )  # fmt: skip
     for name, force in forces.items():
-        stresses = [NOTHING, NOTHING]
+        stresses = [output.NOTHING, output.NOTHING]
         if name in fields:
             field = fields[name]
             traction = (field.q_x**2 + field.q_y**2) ** 0.5
@@ -121,10 +108,10 @@ def _patch_table(
             stresses = [f"{traction.max() * 1e-6:.0f}", f"{100.0 * share:.0f}"]
         table.add_row(
             name,
-            number(force.x * 1e-3, 2),
-            number(force.y * 1e-3, 2),
-            number(force.moment, 2),
-            number(100.0 * math.hypot(force.x, force.y) / limit, 1),
+            output.number(force.x * 1e-3, 2),
+            output.number(force.y * 1e-3, 2),
+            output.number(force.moment, 2),
+            output.number(100.0 * math.hypot(force.x, force.y) / limit, 1),
             *stresses,
         )
     return table
@@ -133,17 +120,19 @@ def _patch_table(
 @validate.command("contact")
 def validate_contact() -> None:
     """Creep forces and stresses of every theory against the exact solution, over the reference cases."""
-    with told():
+    with output.errors_in_one_line():
         from hh_exudyn.contact.tangential.validation import COLUMNS, contact_table, to_table
 
-        with err.status("comparing"):
+        with output.status("comparing"):
             rows = to_table(contact_table())
-        table = new_table("Errors of the tangential theories against the exact half-space solution", COLUMNS)
+        table = output.new_table(
+            "Errors of the tangential theories against the exact half-space solution", COLUMNS
+        )
         table.padding = (0, 0, 0, 1)  # many columns
         for row in rows:
             table.add_row(*row)
-        print_table(table)
-        out.print(
+        output.print_table(table)
+        output.print_line(
             "force: in % of friction * normal force; |q| traction, |s| slip, peak of |q|: in % of the exact"
         )
 
@@ -167,19 +156,19 @@ def conicity(
     amplitude_mm: Annotated[
         list[float] | None, typer.Option(metavar="mm", help="May be repeated. [default: 1 to 10]")
     ] = None,
-    figure: NewFigure = None,
+    figure: inputs.NewFigure = None,
 ) -> None:
     """Equivalent conicity (EN 15302) and rolling radius difference of a wheelset on a track."""
-    with told():
+    with output.errors_in_one_line():
         gauges = sorted(set(gauge_mm or [1435.0]))
         amplitudes = sorted(set(amplitude_mm or map(float, range(1, 11))))
         for value in gauges:
-            check("--gauge-mm", value, 500.0, 2000.0, "mm")
+            inputs.check_range("--gauge-mm", value, 500.0, 2000.0, "mm")
         for value in amplitudes:
-            check("--amplitude-mm", value, 0.1, 20.0, "mm")
-        check("--radius-mm", radius_mm, 100.0, 2000.0, "mm")
-        check("--tape-distance-mm", tape_distance_mm, 300.0, 3000.0, "mm")
-        require_new_figure(figure)
+            inputs.check_range("--amplitude-mm", value, 0.1, 20.0, "mm")
+        inputs.check_range("--radius-mm", radius_mm, 100.0, 2000.0, "mm")
+        inputs.check_range("--tape-distance-mm", tape_distance_mm, 300.0, 3000.0, "mm")
+        inputs.require_new_file(figure, "--out", inputs.FIGURES)
         profiles = _wheel(wheel), _rail(rail, inclination)
         import numpy as np
 
@@ -187,7 +176,7 @@ def conicity(
 
         reports = {}
         for gauge in gauges:
-            try:
+            with inputs.refused_as_bad_input():  # the pair may not touch on this gauge
                 reports[f"gauge {gauge:g} mm"] = conicity_report(
                     *profiles,
                     radius=radius_mm * 1e-3,
@@ -195,19 +184,17 @@ def conicity(
                     tape_distance=tape_distance_mm * 1e-3,
                     amplitudes=np.array(amplitudes) * 1e-3,
                 )
-            except ValueError as error:  # the pair does not touch on this gauge
-                raise Refused(str(error)) from None
-        print_table(_conicity_table(f"{profiles[0].name} on {profiles[1].name}", reports))
+        output.print_table(_conicity_table(f"{profiles[0].name} on {profiles[1].name}", reports))
         for name, report in reports.items():
-            out.print(f"{name}: {_summary(report)}")
-        out.print(
+            output.print_line(f"{name}: {_summary(report)}")
+        output.print_line(
             "conicity at the amplitude y; radius difference left - right at the displacement y to the left;\n"
             f"wheel radius {radius_mm:g} mm, tape distance {tape_distance_mm:g} mm"
         )
         if figure is not None:
             from hh_exudyn.figures.conicity_sheet import conicity_sheet
 
-            write_figure(conicity_sheet(*profiles, reports), figure)
+            output.write_figure(conicity_sheet(*profiles, reports), figure)
 
 
 def _conicity_table(title: str, reports: Mapping[str, "ConicityReport"]) -> Table:
@@ -222,9 +209,9 @@ def _conicity_table(title: str, reports: Mapping[str, "ConicityReport"]) -> Tabl
         differences = np.interp(
             amplitudes, report.functions.lateral, report.functions.radius_difference, right=math.nan
         )
-        columns.append([number(value, 3) for value in report.conicity])
-        columns.append([number(1e3 * value, 2) for value in differences])
-    table = new_table(title, tuple(headings))
+        columns.append([output.number(value, 3) for value in report.conicity])
+        columns.append([output.number(1e3 * value, 2) for value in differences])
+    table = output.new_table(title, tuple(headings))
     for cells in zip(*columns, strict=True):
         table.add_row(*cells)
     return table
@@ -233,10 +220,10 @@ def _conicity_table(title: str, reports: Mapping[str, "ConicityReport"]) -> Tabl
 def _summary(report: "ConicityReport") -> str:
     """What stands beside the table."""
     return (
-        f"flange touches at {number(1e3 * report.clearance_right, 2)} and "
-        f"{number(1e3 * report.clearance_left, 2)} mm, "
-        f"conicity at 3 mm {number(report.reference_conicity, 3)}, "
-        f"nonlinearity {number(1e-3 * report.nonlinearity, 3)} 1/mm"
+        f"flange touches at {output.number(1e3 * report.clearance_right, 2)} and "
+        f"{output.number(1e3 * report.clearance_left, 2)} mm, "
+        f"conicity at 3 mm {output.number(report.reference_conicity, 3)}, "
+        f"nonlinearity {output.number(1e-3 * report.nonlinearity, 3)} 1/mm"
     )
 
 
@@ -246,7 +233,7 @@ def _theories(wanted: list[str]) -> list[str]:
 
     for name in wanted:
         if name not in THEORIES:
-            raise Refused(f"--theory {name}: unknown, allowed: {', '.join(THEORIES)}")
+            raise inputs.BadInput(f"--theory {name}: unknown, allowed: {', '.join(THEORIES)}")
     return [name for name in THEORIES if name in wanted or not wanted]
 
 
@@ -256,7 +243,7 @@ def _wheel(name: str) -> "Profile":
 
     if name in WHEEL_PROFILES:
         return wheel_profile(name)
-    return _read("WHEEL", name, read_wheel_profile, WHEEL_PROFILES)
+    return _from_file("WHEEL", name, read_wheel_profile, WHEEL_PROFILES)
 
 
 def _rail(name: str, inclination: str | None) -> "Profile":
@@ -266,17 +253,22 @@ def _rail(name: str, inclination: str | None) -> "Profile":
     if name in RAIL_PROFILES:
         return rail_profile(name, _inclination(inclination or "1:30"))
     if inclination is not None and Path(name).is_file():
-        raise Refused(f"--inclination {inclination}: for standard rails only, a file holds its rail inclined")
-    return _read("RAIL", name, read_rail_profile, RAIL_PROFILES)
+        raise inputs.BadInput(
+            f"--inclination {inclination}: for standard rails only, a file holds its rail inclined"
+        )
+    return _from_file("RAIL", name, read_rail_profile, RAIL_PROFILES)
 
 
-def _read(what: str, name: str, reader: Callable[[str], "Profile"], known: tuple[str, ...]) -> "Profile":
+def _from_file(
+    argument: str, name: str, reader: Callable[[str], "Profile"], known: tuple[str, ...]
+) -> "Profile":
+    """The profile in a file; a file that is not there or no profile is bad input."""
     if not Path(name).is_file():
-        raise Refused(f"{what} {name}: no file and no standard profile, known: {', '.join(known)}")
-    try:
+        raise inputs.BadInput(
+            f"{argument} {name}: no file and no standard profile, known: {', '.join(known)}"
+        )
+    with inputs.refused_as_bad_input():
         return reader(name)
-    except (ValueError, OSError) as error:
-        raise Refused(str(error)) from None
 
 
 def _inclination(text: str) -> float:
@@ -288,7 +280,7 @@ def _inclination(text: str) -> float:
     except ValueError:
         slope = math.nan
     if not 10.0 <= abs(slope) <= 1e6:
-        raise Refused(
+        raise inputs.BadInput(
             f"--inclination {text}: allowed upright, or 10 and more for 1:10 and less, as 30 or 1:30"
         )
     return 1.0 / slope

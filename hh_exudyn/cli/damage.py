@@ -12,7 +12,7 @@ import typer
 from rich.table import Table
 
 from damage.wear.laws import names_for_help
-from hh_exudyn.cli.output import Refused, check, err, new_table, out, print_table, require_new_folder, told
+from hh_exudyn.cli import inputs, output
 
 if TYPE_CHECKING:
     import pyarrow
@@ -31,7 +31,6 @@ class Surface(StrEnum):
     greased = "greased"
 
 
-RunFolder = Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")]
 FIGURE_DISTANCE = 50_000.0  # km, of the figures without --distance-km: as in Hossein-Nia (2018)
 
 
@@ -41,7 +40,7 @@ def register(app: typer.Typer) -> None:
 
 
 def damage(
-    folder: RunFolder,
+    folder: inputs.RunFolder,
     out_folder: Annotated[
         Path | None,
         typer.Option("--out", metavar="DIR", help="New or empty folder; without, DIR/damage of the run."),
@@ -62,13 +61,14 @@ def damage(
     ] = False,
 ) -> None:
     """Wear and rolling contact fatigue of a run's wheels, from its contact log: tables and figures."""
-    with told(folder):
+    with output.errors_in_one_line(folder):
         if out_folder is not None:
-            require_new_folder(out_folder)
-        if distance_km is not None:
-            check("--distance-km", distance_km, 1e-3, 1e7, "km")
+            inputs.require_new_folder(out_folder)
+        inputs.check_range("--distance-km", distance_km, 1e-3, 1e7, "km")
         options = _options(model, surface, theory, material)
-        show_damage(opened(folder), out_folder or folder / "damage", distance_km, skip_bad_rows, **options)
+        show_damage(
+            inputs.read_run(folder), out_folder or folder / "damage", distance_km, skip_bad_rows, **options
+        )
 
 
 def _options(model: str, surface: Surface | None, theory: str, material: str) -> dict[str, Any]:
@@ -77,35 +77,33 @@ def _options(model: str, surface: Surface | None, theory: str, material: str) ->
     from damage.surface.patch_field import theory_number
     from damage.wear.laws import wear_law
 
-    try:
+    with inputs.refused_as_bad_input():
         theory_number(theory)
         law = wear_law(model, **({} if surface is None else {"surface": surface.value}))
         return {"law": law, "theory": theory, "material": wheel_material(material)}
-    except ValueError as error:
-        raise Refused(str(error)) from None
 
 
-def _assessed(done: "Run", skip_bad_rows: bool = False, **options: Any) -> "DamageReport":
+def _assessed(run: "Run", skip_bad_rows: bool = False, **options: Any) -> "DamageReport":
     """The damage of a run; what its log lacks is bad input."""
     from damage.report import assess
 
-    with err.status("damage"):
+    with output.status("damage"):
         try:
-            return assess(done, profile=_wheel_profile(done), skip_bad_rows=skip_bad_rows, **options)
+            return assess(run, profile=_wheel_profile(run), skip_bad_rows=skip_bad_rows, **options)
         except ValueError as error:
             hint = "; --skip-bad-rows leaves them out" if "rows are bad" in str(error) else ""
-            raise Refused(f"{done.directory}: {error}{hint}") from None
+            raise inputs.BadInput(f"{run.directory}: {error}{hint}") from None
 
 
-def _wheel_profile(done: "Run") -> "Profile":
+def _wheel_profile(run: "Run") -> "Profile":
     """The wheel profile of a run's case."""
     from hh_exudyn.case import Case
 
-    return Case.from_toml(done.case_text, source=f"{done.directory}/case.toml").wheel
+    return Case.from_toml(run.case_text, source=f"{run.directory}/case.toml").wheel
 
 
 def show_damage(
-    done: "Run",
+    run: "Run",
     folder: Path,
     distance_km: float | None = None,
     skip_bad_rows: bool = False,
@@ -115,7 +113,7 @@ def show_damage(
 
     Parameters
     ----------
-    done
+    run
         The run.
     folder
         Where tables and figures go.
@@ -128,29 +126,31 @@ def show_damage(
     """
     import pyarrow.csv
 
-    report = _assessed(done, skip_bad_rows, **options)
+    report = _assessed(run, skip_bad_rows, **options)
     tables = {"damage.csv": report.to_table()}
     if distance_km is not None:
         tables["distance.csv"] = report.distance_table(1e3 * distance_km)
     if report.bad_rows.count:
         tables["bad_rows.csv"] = report.bad_rows.to_table()
-    figures = _figures(done, report, 1e3 * (FIGURE_DISTANCE if distance_km is None else distance_km))
+    figures = _figures(run, report, 1e3 * (FIGURE_DISTANCE if distance_km is None else distance_km))
     folder.mkdir(parents=True, exist_ok=True)
     for name, table in tables.items():
         pyarrow.csv.write_csv(table, folder / name)
     for name, figure in figures.items():
-        figure.savefig(folder / name, dpi=150)
-    print_table(_table_of("Damage over the whole run", tables["damage.csv"], DAMAGE_COLUMNS))
+        figure.savefig(folder / name, dpi=output.DOTS_PER_INCH)
+    output.print_table(_table_of("Damage over the whole run", tables["damage.csv"], DAMAGE_COLUMNS))
     if distance_km is not None:
-        print_table(_table_of(f"Damage after {distance_km:,g} km", tables["distance.csv"], DISTANCE_COLUMNS))
+        output.print_table(
+            _table_of(f"Damage after {distance_km:,g} km", tables["distance.csv"], DISTANCE_COLUMNS)
+        )
     if "corrected_rcf_number_per_km" in tables["damage.csv"].column_names:
-        out.print("RCF: revolutions beyond shakedown; kept: what Burstow's correction leaves of them")
+        output.print_line("RCF: revolutions beyond shakedown; corrected: less those worn off, after Burstow")
     if report.bad_rows.count:
-        out.print(f"left out: {report.bad_rows}", markup=False)
-    out.print(f"damage: {folder} ({', '.join([*tables, *figures])})")
+        output.print_line(f"left out: {report.bad_rows}")
+    output.print_line(f"damage: {folder} ({', '.join([*tables, *figures])})")
 
 
-def _figures(done: "Run", report: "DamageReport", distance: float) -> "dict[str, Figure]":
+def _figures(run: "Run", report: "DamageReport", distance: float) -> "dict[str, Figure]":
     """The figures by the name of their file; the map is of the wheel with most fatigue on its tread."""
     from damage.figures.profile_panels import fatigue_figure, wear_figure
     from damage.figures.rcf_bins import rcf_bins_figure
@@ -158,7 +158,7 @@ def _figures(done: "Run", report: "DamageReport", distance: float) -> "dict[str,
     from damage.figures.working_points import shakedown_figure
     from damage.surface.wheel_surface import TREAD
 
-    surface, profile = report.surface, _wheel_profile(done)
+    surface, profile = report.surface, _wheel_profile(run)
     figures = {
         "wear.png": wear_figure(report, profile),
         "fatigue.png": fatigue_figure(report, profile),
@@ -168,22 +168,9 @@ def _figures(done: "Run", report: "DamageReport", distance: float) -> "dict[str,
         worst = surface.wheels[int(surface.rcf_number[:, TREAD].max(axis=(1, 2)).argmax())]
         figures["rcf_map.png"] = energy_map_figure(report, worst, distance)
     figures["shakedown.png"] = shakedown_figure(
-        done, report.model.material, skip_bad_rows=report.bad_rows.count > 0
+        run, report.model.material, skip_bad_rows=report.bad_rows.count > 0
     )
     return figures
-
-
-def opened(folder: Path) -> "Run":
-    """The run in a folder, with at least one contact log row to look at."""
-    from hh_exudyn.log.store import open_run
-
-    try:
-        done = open_run(folder)
-        if done.read("contact", ["time"]).num_rows == 0:
-            raise Refused(f"{folder}: the contact log has no rows")
-    except (FileNotFoundError, ValueError) as error:
-        raise Refused(str(error)) from None
-    return done
 
 
 Columns = dict[str, tuple[str, float, str]]  # column of a table: heading, factor, format
@@ -198,16 +185,16 @@ DAMAGE_COLUMNS: Columns = {
     "wear_seizure_share": ("seizure [%]", 100.0, ".0f"),
     "flange_share": ("flange [%]", 100.0, ".0f"),
     "rcf_number_per_km": ("RCF\u00a0tread [1/km]", 1.0, ".0f"),
-    "corrected_rcf_number_per_km": ("kept [1/km]", 1.0, ".0f"),
+    "corrected_rcf_number_per_km": ("corrected [1/km]", 1.0, ".0f"),
 }
 DISTANCE_COLUMNS: Columns = {
     "wear_depth_mm": ("wear depth [mm]", 1.0, ".3g"),
     "worn_area_mm2": ("worn area [mm²]", 1.0, ".3g"),
     "rcf_number": ("RCF number", 1.0, ".3g"),
-    "corrected_rcf_number": ("kept", 1.0, ".3g"),
+    "corrected_rcf_number": ("corrected", 1.0, ".3g"),
     "crack_damage": ("Miner's sum", 1.0, ".3g"),
     "flange_rcf_number": ("RCF flange", 1.0, ".3g"),
-    "flange_corrected_rcf_number": ("kept", 1.0, ".3g"),
+    "flange_corrected_rcf_number": ("corrected", 1.0, ".3g"),
     "flange_crack_damage": ("Miner's flange", 1.0, ".3g"),
 }
 
@@ -215,7 +202,7 @@ DISTANCE_COLUMNS: Columns = {
 def _table_of(title: str, table: "pyarrow.Table", columns: Columns) -> Table:
     """A line per wheel; the file has more columns. What wear law or steel do not give is not there."""
     shown = {name: column for name, column in columns.items() if name in table.column_names}
-    lines = new_table(title, ("wheel", *(heading for heading, _, _ in shown.values())))
+    lines = output.new_table(title, ("wheel", *(heading for heading, _, _ in shown.values())))
     rows = table.to_pylist()
     several = len({row["vehicle"] for row in rows}) > 1
     for row in rows:

@@ -11,21 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from hh_exudyn.cli.output import (
-    STOPPED,
-    NewFigure,
-    Refused,
-    check,
-    err,
-    fail,
-    new_table,
-    number,
-    out,
-    print_table,
-    require_new_figure,
-    told,
-    write_figure,
-)
+from hh_exudyn.cli import inputs, output
 
 if TYPE_CHECKING:
     from hh_exudyn.multibody.linear.modes import CriticalSpeed, LinearVehicle
@@ -35,8 +21,6 @@ SLOWEST, FASTEST = 5.0, 500.0  # km/h
 _HIGHEST, _HIGHEST_NONLINEAR = 300.0, 200.0  # km/h, looked at where nothing else is asked
 _LOCUS_SPEEDS = 25  # of the figure
 
-CaseFile = Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file.")]
-
 
 def register(app: typer.Typer) -> None:
     """Give the commands of this file to the program."""
@@ -45,7 +29,7 @@ def register(app: typer.Typer) -> None:
 
 
 def modes(
-    case: CaseFile,
+    case: inputs.CaseFile,
     speed_km_h: Annotated[
         float | None, typer.Option(metavar="km/h", help="Speed. [default: the case's]")
     ] = None,
@@ -56,11 +40,9 @@ def modes(
     mode: Annotated[int, typer.Option(metavar="N", help="Which mode, by its number in the table.")] = 1,
 ) -> None:
     """Oscillating modes of a case's vehicle on straight track: frequency, damping, what moves most."""
-    with told():
-        if playback is not None and playback.exists():
-            raise Refused(f"--playback {playback}: exists already, allowed is a new file")
-        if speed_km_h is not None:
-            check("--speed-km-h", speed_km_h, SLOWEST, FASTEST, "km/h")
+    with output.errors_in_one_line():
+        inputs.require_new_file(playback, "--playback", inputs.RECORDINGS)
+        inputs.check_range("--speed-km-h", speed_km_h, SLOWEST, FASTEST, "km/h")
         vehicle, own = _linear(case)
         speed = own if speed_km_h is None else speed_km_h / 3.6
         from hh_exudyn.multibody.equilibrium import NoEquilibrium
@@ -68,9 +50,9 @@ def modes(
         try:
             found = vehicle.modes(speed, undamped=undamped)
         except NoEquilibrium as error:
-            fail(STOPPED, str(error))
+            output.fail(output.STOPPED, str(error))
         kind = ", dampers and creep off" if undamped else ""
-        table = new_table(
+        table = output.new_table(
             f"Modes of {vehicle.vehicle.name} at {speed * 3.6:g} km/h{kind}",
             ("mode", "frequency [Hz]", "damping ratio [%]", "moves most"),
         )
@@ -78,25 +60,25 @@ def modes(
         for row, each in enumerate(found, 1):
             table.add_row(
                 str(row),
-                number(each.frequency, 4),
-                number(100.0 * each.damping_ratio, 2),
+                output.number(each.frequency, 4),
+                output.number(100.0 * each.damping_ratio, 2),
                 each.largest(vehicle.names),
             )
-        print_table(table)
-        out.print("friction elements stick; a negative damping ratio is a motion that grows")
+        output.print_table(table)
+        output.print_line("friction elements stick; a negative damping ratio is a motion that grows")
         if playback is not None:
-            check("--mode", mode, 1, len(found), "")
+            inputs.check_range("--mode", mode, 1, len(found), "")
             from hh_exudyn.case import read_case
             from hh_exudyn.playback.mode import record_mode
 
             shown = found[mode - 1]
             name = f"{vehicle.vehicle.name}, mode {mode}: {shown.frequency:.3f} Hz"
             record_mode(read_case(case), vehicle.vehicle, shown.shape, playback, name=name)
-            out.print(f"recording: {playback}")
+            output.print_line(f"recording: {playback}")
 
 
 def critical_speed(
-    case: CaseFile,
+    case: inputs.CaseFile,
     from_km_h: Annotated[float, typer.Option(metavar="km/h", help="Lowest speed looked at.")] = 20.0,
     to_km_h: Annotated[
         float | None,
@@ -109,7 +91,7 @@ def critical_speed(
     resolution_km_h: Annotated[
         float, typer.Option(metavar="km/h", help="To which the nonlinear speed is found.")
     ] = 2.0,
-    figure: NewFigure = None,
+    figure: inputs.NewFigure = None,
 ) -> None:
     """Speed at which a case's vehicle begins to hunt.
 
@@ -117,16 +99,16 @@ def critical_speed(
     the root locus. With --nonlinear: below which hunting dies out, friction elements sliding; a figure is the
     amplitude over the speed. For a vehicle on friction, as a three-piece wagon, that is the one to quote.
     """
-    with told():
+    with output.errors_in_one_line():
         if to_km_h is None:
             to_km_h = _HIGHEST_NONLINEAR if nonlinear else _HIGHEST
-        check("--from-km-h", from_km_h, SLOWEST, FASTEST, "km/h")
-        check("--to-km-h", to_km_h, SLOWEST, FASTEST, "km/h")
-        check("--step-km-h", step_km_h, 0.1, FASTEST, "km/h")
-        check("--resolution-km-h", resolution_km_h, 0.1, FASTEST, "km/h")
+        inputs.check_range("--from-km-h", from_km_h, SLOWEST, FASTEST, "km/h")
+        inputs.check_range("--to-km-h", to_km_h, SLOWEST, FASTEST, "km/h")
+        inputs.check_range("--step-km-h", step_km_h, 0.1, FASTEST, "km/h")
+        inputs.check_range("--resolution-km-h", resolution_km_h, 0.1, FASTEST, "km/h")
         if not from_km_h < to_km_h:
-            raise Refused(f"--to-km-h {to_km_h:g} km/h: allowed above --from-km-h {from_km_h:g} km/h")
-        require_new_figure(figure)
+            raise inputs.BadInput(f"--to-km-h {to_km_h:g} km/h: allowed above --from-km-h {from_km_h:g} km/h")
+        inputs.require_new_file(figure, "--out", inputs.FIGURES)
         vehicle, _ = _linear(case)
         if nonlinear:
             _by_motion(vehicle, from_km_h, to_km_h, step_km_h, resolution_km_h, figure)
@@ -135,25 +117,22 @@ def critical_speed(
         from hh_exudyn.multibody.equilibrium import NoEquilibrium
 
         try:
-            with err.status("critical speed"):
+            with output.status("critical speed"):
                 found = linear.critical_speed(vehicle, from_km_h / 3.6, to_km_h / 3.6, step_km_h / 3.6)
         except NoEquilibrium as error:
-            fail(STOPPED, str(error))
+            output.fail(output.STOPPED, str(error))
         name = vehicle.vehicle.name
         if found is None:
-            out.print(f"{name}: stable from {from_km_h:g} to {to_km_h:g} km/h", markup=False)
+            output.print_line(f"{name}: stable from {from_km_h:g} to {to_km_h:g} km/h")
         elif found.speed * 3.6 <= from_km_h + 1e-9:
-            out.print(
-                f"{name}: unstable already at {from_km_h:g} km/h, {_what(found, vehicle)}", markup=False
-            )
+            output.print_line(f"{name}: unstable already at {from_km_h:g} km/h, {_what(found, vehicle)}")
         else:
-            out.print(
+            output.print_line(
                 f"{name}: critical speed {found.speed * 3.6:.2f} km/h ({found.speed:.3f} m/s), "
-                f"{_what(found, vehicle)}",
-                markup=False,
+                f"{_what(found, vehicle)}"
             )
         if vehicle.on_friction:
-            out.print(
+            output.print_line(
                 "its friction elements stick everywhere here: a motion that makes them slide hunts at other "
                 "speeds; --nonlinear gives the one below which hunting dies out"
             )
@@ -163,10 +142,10 @@ def critical_speed(
             from hh_exudyn.figures.root_locus import root_locus_figure
 
             speeds = np.linspace(from_km_h, to_km_h, _LOCUS_SPEEDS) / 3.6
-            with err.status("root locus"):
+            with output.status("root locus"):
                 locus = linear.root_locus(vehicle, [float(speed) for speed in speeds])
             speed = None if found is None else found.speed
-            write_figure(root_locus_figure(f"Root locus of {name}", speeds, locus, speed), figure)
+            output.write_figure(root_locus_figure(f"Root locus of {name}", speeds, locus, speed), figure)
 
 
 def _by_motion(
@@ -177,14 +156,13 @@ def _by_motion(
     from hh_exudyn.multibody.equilibrium import NoEquilibrium
 
     name = vehicle.vehicle.name
-    out.print(
+    output.print_line(
         f"{name}: the train slows down from {high:g} km/h, at first with all wheelsets "
         f"{search.DISPLACEMENT * 1e3:g} mm to the left; it hunts while a wheelset moves by "
-        f"{search.SETTLED * 1e3:g} mm or more to either side; friction elements slide; smooth straight track",
-        markup=False,
+        f"{search.SETTLED * 1e3:g} mm or more to either side; friction elements slide; smooth straight track"
     )
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
+    with Progress(*columns, console=output.err, transient=True, disable=not output.err.is_terminal) as bar:
         reports = _RunReports(bar)
         try:
             found = search.nonlinear_critical_speed(
@@ -193,25 +171,24 @@ def _by_motion(
                 high / 3.6,
                 step / 3.6,
                 resolution / 3.6,
-                told=reports.told,
+                report=reports.report,
                 progress=reports.progress,
             )
         except NoEquilibrium as error:
-            fail(STOPPED, str(error))
+            output.fail(output.STOPPED, str(error))
         except ValueError as error:
-            raise Refused(str(error)) from None
+            raise inputs.BadInput(str(error)) from None
     if found.hunting is None:
-        out.print(f"{name}: no hunting from {low:g} to {high:g} km/h", markup=False)
+        output.print_line(f"{name}: no hunting from {low:g} to {high:g} km/h")
     elif found.settled is None:
-        out.print(f"{name}: hunting goes on down to {low:g} km/h", markup=False)
+        output.print_line(f"{name}: hunting goes on down to {low:g} km/h")
     else:
         begins = "does not begin it"
         if found.begins is not None:
             begins = f"begins it from {found.begins * 3.6:.1f} km/h on"
-        out.print(
+        output.print_line(
             f"{name}: nonlinear critical speed {found.hunting * 3.6:.1f} km/h (hunting goes on there, at "
-            f"{found.settled * 3.6:.1f} km/h it dies out); the disturbance of the resting vehicle {begins}",
-            markup=False,
+            f"{found.settled * 3.6:.1f} km/h it dies out); the disturbance of the resting vehicle {begins}"
         )
     if figure is not None:
         from hh_exudyn.figures.hunting import hunting_figure
@@ -224,7 +201,7 @@ def _by_motion(
             [run.from_cycle for run in runs],
             search.SETTLED,
         )
-        write_figure(drawn, figure)
+        output.write_figure(drawn, figure)
 
 
 class _RunReports:
@@ -236,18 +213,17 @@ class _RunReports:
         self._begun = clock.perf_counter()
         self._runs = 0
 
-    def told(self, run: "HuntingRun", more: int) -> None:
+    def report(self, run: "HuntingRun", more: int) -> None:
         """Print a run and how long those may take that follow at most."""
         self._runs += 1
         left = more * (clock.perf_counter() - self._begun) / self._runs
         wheels = "a wheel left its rail"
         if math.isfinite(run.amplitude):
-            wheels = f"{run.amplitude * 1e3:6.2f} mm {number(run.frequency, 2):>5} Hz"
+            wheels = f"{run.amplitude * 1e3:6.2f} mm {output.number(run.frequency, 2):>5} Hz"
         begun = "cycle" if run.from_cycle else "disturbed"
-        out.print(
+        output.print_line(
             f"{run.speed * 3.6:6.1f} km/h {wheels} after {run.duration:4.1f} s, {begun:9} "
-            f"{'hunts' if run.hunts else 'dies out':8} (at most {left:.0f} s more)",
-            markup=False,
+            f"{'hunts' if run.hunts else 'dies out':8} (at most {left:.0f} s more)"
         )
 
     def progress(self, speed: float, time: float, longest: float) -> None:
@@ -268,7 +244,5 @@ def _linear(path: Path) -> "tuple[LinearVehicle, float]":
     from hh_exudyn.multibody.linear.modes import LinearVehicle
 
     case = read_case(path)
-    try:
+    with inputs.refused_as_bad_input():
         return LinearVehicle(case.described_vehicle(), case), case.speed
-    except ValueError as error:
-        raise Refused(str(error)) from None

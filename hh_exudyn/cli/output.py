@@ -1,4 +1,4 @@
-"""What all commands share: exit codes, one line for every fault, figures, tables that fit the terminal."""
+"""What the commands give: lines, tables that fit the terminal, files, errors in one line with exit code."""
 
 import math
 import tempfile
@@ -6,38 +6,33 @@ import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 import typer
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.markup import escape
+from rich.status import Status
 from rich.table import Table
 
+from hh_exudyn.cli.inputs import BadInput
+
 if TYPE_CHECKING:
+    import pyarrow
     from matplotlib.figure import Figure
 
 FAULT, BAD_INPUT, STOPPED, INTERRUPTED = 1, 2, 3, 130  # exit codes, see `hh_exudyn.cli.app`
-FIGURES = (".png", ".pdf", ".svg")
 NOTHING = "–"  # in a table, where there is no such number
+DOTS_PER_INCH = 150  # of figures
 TABLE_WIDTH = 120  # at most, of a table that goes into a file or a pipe
 
 out = Console(soft_wrap=True, highlight=False)
 err = Console(stderr=True, soft_wrap=True, highlight=False)
 
-NewFigure = Annotated[
-    Path | None,
-    typer.Option("--out", metavar="FIGURE", help="Write a figure to this new file (.png, .pdf, .svg)."),
-]
-
-
-class Refused(ValueError):
-    """What the user asked for cannot be done; the message is one line."""
-
 
 @contextmanager
-def told(folder: Path | None = None) -> Iterator[None]:
-    """Turn what goes wrong in a command into one line on stderr and an exit code.
+def errors_in_one_line(folder: Path | None = None) -> Iterator[None]:
+    """Every error of a command as one line on stderr and an exit code.
 
     Parameters
     ----------
@@ -48,10 +43,10 @@ def told(folder: Path | None = None) -> Iterator[None]:
         yield
     except typer.Exit:
         raise
-    except Refused as error:
+    except BadInput as error:
         fail(BAD_INPUT, str(error))
     except KeyboardInterrupt:
-        fail(INTERRUPTED, f"interrupted; {kept(folder)}")
+        fail(INTERRUPTED, f"interrupted; {log_place(folder)}")
     except Exception as error:
         from hh_exudyn.case.errors import CaseError  # the package of cases is heavy: not for --help
 
@@ -61,7 +56,7 @@ def told(folder: Path | None = None) -> Iterator[None]:
         fail(FAULT, f"{type(error).__name__}: {reason}; traceback in {_written_traceback(folder)}")
 
 
-def kept(folder: Path | None) -> str:
+def log_place(folder: Path | None) -> str:
     """Where the log so far is."""
     if folder is None or not (folder / "case.toml").is_file():
         return "nothing was written"
@@ -87,6 +82,16 @@ def fail(code: int, message: str) -> NoReturn:
     raise typer.Exit(code)
 
 
+def print_line(text: str) -> None:
+    """One or more lines on stdout, as they are."""
+    out.print(text, markup=False)
+
+
+def status(text: str) -> Status:
+    """A sign on stderr that a computation goes on, for a `with` statement."""
+    return err.status(text)
+
+
 def new_table(title: str, headings: tuple[str, ...]) -> Table:
     """An empty table that fits into 80 columns: a word of the heading a line."""
     table = Table(title=title, box=SIMPLE_HEAD, pad_edge=False)
@@ -98,7 +103,7 @@ def new_table(title: str, headings: tuple[str, ...]) -> Table:
 def print_table(table: Table) -> None:
     """The title on a line of its own, and whole columns also where the output is a file or a narrow pipe."""
     wide = out if out.is_terminal else Console(width=TABLE_WIDTH)
-    out.print(table.title, markup=False)
+    print_line(str(table.title))
     table.title = None  # rich would break it at the table's width
     wide.print(table)
 
@@ -108,40 +113,25 @@ def number(value: float, digits: int) -> str:
     return NOTHING if math.isnan(value) else f"{round(value, digits) + 0.0:.{digits}f}"
 
 
-def check(option: str, value: float, low: float, high: float, unit: str) -> None:
-    """Refuse a number out of its range, NaN included."""
-    if not low <= value <= high:
-        raise Refused(
-            f"{option} {value:g}{unit and ' ' + unit}: allowed {low:g} to {high:g}{unit and ' ' + unit}"
-        )
-
-
-def require_new_folder(folder: Path) -> None:
-    """Refuse a folder that holds anything, before any work."""
-    try:
-        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-            kind = "is not empty" if folder.is_dir() else "is a file"
-            raise Refused(f"--out {folder}: {kind}, allowed is a new or an empty folder")
-    except OSError as error:
-        raise Refused(f"--out {folder}: {error.strerror}") from None
-
-
-def require_new_figure(path: Path | None, option: str = "--out") -> None:
-    """Refuse a figure that cannot be written, before any work."""
-    if path is None:
-        return
-    if path.suffix.lower() not in FIGURES:
-        raise Refused(f"{option} {path}: allowed are {', '.join(FIGURES)}")
-    if path.exists():
-        raise Refused(f"{option} {path}: exists already, allowed is a new file")
-    if not path.parent.is_dir():
-        raise Refused(f"{option} {path}: there is no folder {path.parent}")
-
-
 def write_figure(figure: "Figure", path: Path, option: str = "--out") -> None:
-    """Write a figure and say where it is."""
+    """Write a figure, as a new file of the option, and print where it is. Raises BadInput where it cannot."""
+    with _written(path, option, "figure"):
+        figure.savefig(path, dpi=DOTS_PER_INCH)
+
+
+def write_table(table: "pyarrow.Table", path: Path, option: str) -> None:
+    """Write a table (.csv), as a new file of the option, and print where it is. Raises BadInput where not."""
+    import pyarrow.csv
+
+    with _written(path, option, "table"):
+        pyarrow.csv.write_csv(table, path)
+
+
+@contextmanager
+def _written(path: Path, option: str, kind: str) -> Iterator[None]:
+    """Print where the file is, once it is written; a file that cannot be written is bad input."""
     try:
-        figure.savefig(path, dpi=150)
+        yield
     except OSError as error:
-        raise Refused(f"{option} {path}: {error.strerror}") from None
-    out.print(f"figure: {path}")
+        raise BadInput(f"{option} {path}: {error.strerror}") from None
+    print_line(f"{kind}: {path}")

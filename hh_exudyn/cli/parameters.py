@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.table import Table
 
-from hh_exudyn.cli.output import Refused, new_table, out, print_table, told
+from hh_exudyn.cli import inputs, output
 
 if TYPE_CHECKING:
     from hh_exudyn.sourced import Parameter
@@ -31,9 +31,9 @@ def parameters(
     assumed: Annotated[bool, typer.Option("--assumed", help="Only the numbers that are assumed.")] = False,
 ) -> None:
     """The numbers of vehicles, track, wheel steels, wear laws and the assessment, with their sources."""
-    with told():
+    with output.errors_in_one_line():
         if group is not None and group not in GROUPS:
-            raise Refused(f"GROUP {group}: allowed {', '.join(GROUPS)}")
+            raise inputs.BadInput(f"GROUP {group}: allowed {', '.join(GROUPS)}")
         total = guessed = 0
         for name in GROUPS if group is None else (group,):
             for title, numbers in _GROUPS[name]():
@@ -42,13 +42,15 @@ def parameters(
                 guessed += len(of_kind)
                 shown = of_kind if assumed else numbers
                 if shown:
-                    print_table(_table(f"{name}: {title}", shown))
-        out.print(f"{total} numbers, {guessed} of them assumed; * not confirmed: from memory or second hand")
+                    output.print_table(_table(f"{name}: {title}", shown))
+        output.print_line(
+            f"{total} numbers, {guessed} of them assumed; * not confirmed: from memory or second hand"
+        )
 
 
 def _table(title: str, numbers: "tuple[Parameter, ...]") -> Table:
     """A line per number."""
-    table = new_table(title, ("number", "value", "unit", "range", "kind", "source"))
+    table = output.new_table(title, ("number", "value", "unit", "range", "kind", "source"))
     for column in (0, 2, 4, 5):
         table.columns[column].justify = "left"
     table.columns[-1].no_wrap = False

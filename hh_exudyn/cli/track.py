@@ -13,19 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.table import Table
 
-from hh_exudyn.cli.output import (
-    NOTHING,
-    NewFigure,
-    Refused,
-    check,
-    new_table,
-    number,
-    out,
-    print_table,
-    require_new_figure,
-    told,
-    write_figure,
-)
+from hh_exudyn.cli import inputs, output
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -57,7 +45,7 @@ def plot(
     source: Annotated[
         str, typer.Argument(metavar="CASE|LINE", help="Case file, name of a line, or a line's file.")
     ],
-    figure: NewFigure = None,
+    figure: inputs.NewFigure = None,
     speed_km_h: Annotated[
         float | None,
         typer.Option(metavar="km/h", help="Of a case: judge cant and quality at it. [default: the case's]"),
@@ -68,17 +56,18 @@ def plot(
     ] = None,
 ) -> None:
     """Sections, irregularities and quality of a case's track; or a line's classes and their shares."""
-    with told():
-        if speed_km_h is not None:
-            check("--speed-km-h", speed_km_h, 5.0, 130.0, "km/h")
-        require_new_figure(figure)
+    with output.errors_in_one_line():
+        inputs.check_range("--speed-km-h", speed_km_h, 5.0, 130.0, "km/h")
+        inputs.require_new_file(figure, "--out", inputs.FIGURES)
         if _is_line(source):
             if speed_km_h is not None:
-                raise Refused(f"--speed-km-h {speed_km_h:g}: for cases only, a line has speeds of its own")
+                raise inputs.BadInput(
+                    f"--speed-km-h {speed_km_h:g}: for cases only, a line has speeds of its own"
+                )
             _show_line(source, vehicle, figure)
         else:
             if vehicle is not None:
-                raise Refused(f"--vehicle {vehicle}: for lines only, a case has a vehicle of its own")
+                raise inputs.BadInput(f"--vehicle {vehicle}: for lines only, a case has a vehicle of its own")
             _show_case(Path(source), speed_km_h, figure)
 
 
@@ -91,17 +80,21 @@ def _is_line(source: str) -> bool:
     path = Path(source)
     known = f"known lines: {', '.join(line_names())}"
     if path.is_dir():
-        raise Refused(f"CASE|LINE {source}: is a folder, allowed is a case file or a line's file; {known}")
+        raise inputs.BadInput(
+            f"CASE|LINE {source}: is a folder, allowed is a case file or a line's file; {known}"
+        )
     if not path.exists():
-        raise Refused(f"CASE|LINE {source}: no such file and no known line; {known}")
+        raise inputs.BadInput(f"CASE|LINE {source}: no such file and no known line; {known}")
     try:
         keys = set(tomllib.loads(path.read_bytes().decode("utf-8-sig")))
     except OSError as error:
-        raise Refused(f"{source}: cannot be read: {error.strerror}") from None
+        raise inputs.BadInput(f"{source}: cannot be read: {error.strerror}") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise Refused(f"{source}: not valid TOML: {error}") from None
+        raise inputs.BadInput(f"{source}: not valid TOML: {error}") from None
     if not keys & (_OF_A_CASE | _OF_A_LINE):
-        raise Refused(f"{source}: neither a case file (with [track]) nor a line's file (with [length])")
+        raise inputs.BadInput(
+            f"{source}: neither a case file (with [track]) nor a line's file (with [length])"
+        )
     return not keys & _OF_A_CASE
 
 
@@ -117,39 +110,37 @@ def _show_case(path: Path, speed_km_h: float | None, figure: Path | None) -> Non
     quality, why_not = _quality(irregular, alignment.length, speed_km_h / 3.6)
     title = f"Track of {case.name} at {speed_km_h:g} km/h"
     if case.track.centre_line is None:
-        print_table(_section_table(title, alignment, speed_km_h / 3.6))
+        output.print_table(_section_table(title, alignment, speed_km_h / 3.6))
         if any(grade.gradient or grade.end for grade in alignment.grades):
-            print_table(_grade_table(alignment))
+            output.print_table(_grade_table(alignment))
     else:
-        out.print(f"{title}: {_survey_line(alignment)}", markup=False)
+        output.print_line(f"{title}: {_survey_line(alignment)}")
     limits = quality_limits(speed_km_h / 3.6)
     if irregular is None:
-        out.print("irregularity: none")
+        output.print_line("irregularity: none")
     else:
-        out.print(f"irregularity: {case.track.irregularity}, {_deviations(irregular)};")
-        out.print("a run fades them in and out at both ends of that")
+        output.print_line(f"irregularity: {case.track.irregularity}, {_deviations(irregular)};")
+        output.print_line("a run fades them in and out at both ends of that")
     if why_not:
-        out.print(f"quality: not judged, {why_not}", markup=False)
+        output.print_line(f"quality: not judged, {why_not}")
     if quality is not None:
-        print_table(_quality_table(quality, limits))
-        out.print(
+        output.print_table(_quality_table(quality, limits))
+        output.print_line(
             "standard deviations over 100 m at wavelengths of 3 to 25 m, UIC 518; QN3 = 1.3 QN2 is assumed"
         )
     if figure is not None:
         from hh_exudyn.figures.track import track_sheet
 
         title = f"{case.name}, {speed_km_h:g} km/h, irregularity: {case.track.irregularity}"
-        write_figure(track_sheet(title, alignment, irregular, quality, limits), figure)
+        output.write_figure(track_sheet(title, alignment, irregular, quality, limits), figure)
 
 
 def _irregularity(case: "Case", alignment: "Alignment") -> "Irregularity | None":
     """The irregularities of a run of the case: another length would be another random track."""
     from vehicles.start import start_front
 
-    try:
+    with inputs.refused_as_bad_input():
         return case.track.irregular(start_front(case.described_vehicle()), alignment.length)
-    except ValueError as error:
-        raise Refused(str(error)) from None
 
 
 def _quality(irregular: "Irregularity | None", end: float, speed: float) -> "tuple[TrackQuality | None, str]":
@@ -178,7 +169,7 @@ def _section_table(title: str, alignment: "Alignment", speed: float) -> Table:
     """A line per section; a dash where a transition changes the number."""
     from track.course.alignment import Curve, Straight, cant_deficiency
 
-    table = new_table(
+    table = output.new_table(
         title,
         ("from [m]", "to [m]", "kind", "radius [m]", "hand", "cant [mm]", "gauge [mm]",
          "cant\u00a0deficiency [mm]"),
@@ -186,18 +177,24 @@ def _section_table(title: str, alignment: "Alignment", speed: float) -> Table:
     start = 0.0
     for section in alignment.sections:
         end = start + section.length
-        cells = [NOTHING] * 5
+        cells = [output.NOTHING] * 5
         if isinstance(section, Curve):
             deficiency = cant_deficiency(speed, section.radius, section.cant)
             cells = [
                 f"{section.radius:g}",
                 section.hand,
-                number(1e3 * section.cant, 1),
-                number(1e3 * section.gauge, 1),
-                number(1e3 * deficiency, 1),
+                output.number(1e3 * section.cant, 1),
+                output.number(1e3 * section.gauge, 1),
+                output.number(1e3 * deficiency, 1),
             ]
         elif isinstance(section, Straight):
-            cells = [NOTHING, NOTHING, number(0.0, 1), number(1e3 * section.gauge, 1), number(0.0, 1)]
+            cells = [
+                output.NOTHING,
+                output.NOTHING,
+                output.number(0.0, 1),
+                output.number(1e3 * section.gauge, 1),
+                output.number(0.0, 1),
+            ]
         table.add_row(f"{start:.1f}", f"{end:.1f}", type(section).__name__.lower(), *cells)
         start = end
     return table
@@ -205,7 +202,7 @@ def _section_table(title: str, alignment: "Alignment", speed: float) -> Table:
 
 def _grade_table(alignment: "Alignment") -> Table:
     """A line per grade: where it lies, its gradient or that of both its ends, the vertical radius."""
-    table = new_table(
+    table = output.new_table(
         "Gradients",
         ("from [m]", "to [m]", "from [\u2030]", "to [\u2030]", "vertical\u00a0radius [m]"),
     )
@@ -224,9 +221,9 @@ def _grade_table(alignment: "Alignment") -> Table:
         table.add_row(
             f"{start:.1f}",
             f"{end:.1f}",
-            number(1e3 * grade.gradient, 2),
-            number(1e3 * reached, 2),
-            f"{grade.length / change:.0f}" if change else NOTHING,
+            output.number(1e3 * grade.gradient, 2),
+            output.number(1e3 * reached, 2),
+            f"{grade.length / change:.0f}" if change else output.NOTHING,
         )
         start = end
     return table
@@ -258,7 +255,7 @@ def _quality_table(quality: "TrackQuality", limits: "NDArray") -> Table:
     """A line per class: number and share of its sections, mean and largest standard deviations."""
     from track.irregularity.quality import CLASSES
 
-    table = new_table(
+    table = output.new_table(
         "Quality of sections of 100 m",
         ("class", "sections", "share [%]", "level mean [mm]", "level largest [mm]", "level\u00a0limit [mm]",
          "alignment mean [mm]", "alignment largest [mm]", "alignment\u00a0limit [mm]"),
@@ -267,11 +264,14 @@ def _quality_table(quality: "TrackQuality", limits: "NDArray") -> Table:
         own = quality.deviations[quality.classes == i]
         cells = []
         for j in range(2):
-            cells += [NOTHING, NOTHING]
+            cells += [output.NOTHING, output.NOTHING]
             if len(own):
-                cells[-2:] = [number(1e3 * own[:, j].mean(), 2), number(1e3 * own[:, j].max(), 2)]
-            cells.append(number(1e3 * limits[j, i], 2) if i < limits.shape[1] else NOTHING)
-        table.add_row(name, f"{len(own)}", number(100.0 * len(own) / len(quality.classes), 1), *cells)
+                cells[-2:] = [
+                    output.number(1e3 * own[:, j].mean(), 2),
+                    output.number(1e3 * own[:, j].max(), 2),
+                ]
+            cells.append(output.number(1e3 * limits[j, i], 2) if i < limits.shape[1] else output.NOTHING)
+        table.add_row(name, f"{len(own)}", output.number(100.0 * len(own) / len(quality.classes), 1), *cells)
     return table
 
 
@@ -279,28 +279,26 @@ def _show_line(source: str, vehicle: str | None, figure: Path | None) -> None:
     """Table of a line's classes, and its figure."""
     from track.line.line import load_sections, read_line
 
-    try:
+    with inputs.refused_as_bad_input():
         line = read_line(source)
         vehicle = vehicle or next(iter(line.speed.largest))
         sections = load_sections(line, vehicle)
-    except (ValueError, OSError) as error:
-        raise Refused(str(error)) from None
     title = f"{line.name}, {1e-3 * line.length:g} km, speeds of {vehicle}"
-    print_table(_class_table(title, sections, line.length))
-    out.print("share of the line; QN1 to >QN3: share of the class in each quality class")
+    output.print_table(_class_table(title, sections, line.length))
+    output.print_line("share of the line; QN1 to >QN3: share of the class in each quality class")
     if line.assumed():
-        out.print(f"assumed in the line's file: {', '.join(line.assumed())}", markup=False)
+        output.print_line(f"assumed in the line's file: {', '.join(line.assumed())}")
     if figure is not None:
         from hh_exudyn.figures.track import line_sheet
 
-        write_figure(line_sheet(title, sections), figure)
+        output.write_figure(line_sheet(title, sections), figure)
 
 
 def _class_table(title: str, sections: "tuple[TrackSection, ...]", length: float) -> Table:
     """A line per class of radius and hand, the tightest curves first, and their sum."""
     from track.irregularity.quality import CLASSES
 
-    table = new_table(
+    table = output.new_table(
         title,
         ("class [m]", "hand", "share [%]", "length [km]", "radius [m]", "cant [mm]", "gauge [mm]",
          "speed [km/h]", "deficiency [mm]", *(f"{name} [%]" for name in CLASSES)),
@@ -317,16 +315,16 @@ def _class_table(title: str, sections: "tuple[TrackSection, ...]", length: float
         )
         table.add_row(
             name,
-            NOTHING if math.isinf(one.radius) else hand,
-            number(100.0 * share, 2),
-            number(1e-3 * share * length, 2),
-            NOTHING if math.isinf(one.radius) else f"{one.radius:.0f}",
-            number(1e3 * one.cant, 1),
-            number(1e3 * one.gauge, 1),
-            number(3.6 * one.speed, 0),
-            number(1e3 * one.cant_deficiency, 1),
-            *(number(100.0 * part, 1) for part in by_quality),
+            output.NOTHING if math.isinf(one.radius) else hand,
+            output.number(100.0 * share, 2),
+            output.number(1e-3 * share * length, 2),
+            output.NOTHING if math.isinf(one.radius) else f"{one.radius:.0f}",
+            output.number(1e3 * one.cant, 1),
+            output.number(1e3 * one.gauge, 1),
+            output.number(3.6 * one.speed, 0),
+            output.number(1e3 * one.cant_deficiency, 1),
+            *(output.number(100.0 * part, 1) for part in by_quality),
         )
     whole = math.fsum(part.weight for part in sections)
-    table.add_row("all", "", number(100.0 * whole, 2), number(1e-3 * whole * length, 2))
+    table.add_row("all", "", output.number(100.0 * whole, 2), output.number(1e-3 * whole * length, 2))
     return table

@@ -10,16 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.table import Table
 
-from hh_exudyn.cli.output import (
-    NOTHING,
-    Refused,
-    new_table,
-    out,
-    print_table,
-    require_new_figure,
-    told,
-    write_figure,
-)
+from hh_exudyn.cli import inputs, output
 
 if TYPE_CHECKING:
     from hh_exudyn.sourced import Difference, Parameter, ParameterSet
@@ -50,11 +41,11 @@ def _vehicle() -> None:
 @vehicle.command(name="list")
 def list_vehicles() -> None:
     """The vehicles of the catalogue."""
-    with told():
+    with output.errors_in_one_line():
         from vehicles.catalogue import catalogued, vehicle_names
         from vehicles.catalogue import vehicle as described
 
-        table = new_table("Vehicles", ("name", "mass [t]", "wheelsets", "description"))
+        table = output.new_table("Vehicles", ("name", "mass [t]", "wheelsets", "description"))
         for column in (0, 3):
             table.columns[column].justify = "left"
         for name in vehicle_names():
@@ -62,60 +53,58 @@ def list_vehicles() -> None:
             table.add_row(
                 name, f"{1e-3 * one.mass:.1f}", f"{len(one.wheelsets)}", catalogued(name).description
             )
-        print_table(table)
+        output.print_table(table)
 
 
 @vehicle.command()
 def show(source: Source, figure: NewDrawing = None) -> None:
     """Numbers of a vehicle with their sources, masses, axle loads, and a drawing to scale."""
-    with told():
-        require_new_figure(figure, "--figure")
-        variant = _found(source)
+    with output.errors_in_one_line():
+        inputs.require_new_file(figure, "--figure", inputs.FIGURES)
+        variant = _variant(source)
         described = variant.vehicle()
         parameters = variant.parameters()
-        print_table(_parameter_table(f"Parameters of {variant.name}", parameters))
+        output.print_table(_parameter_table(f"Parameters of {variant.name}", parameters))
         if variant.description:
-            out.print(f"{variant.name}: {variant.description}", markup=False)
-        out.print(_count(parameters))
+            output.print_line(f"{variant.name}: {variant.description}")
+        output.print_line(_count(parameters))
         changes = variant.differences()
         if variant.name != variant.base:
-            out.print(f"based on {variant.base}, {_said(len(changes))}", markup=False)
+            output.print_line(f"based on {variant.base}, {_difference_count(len(changes))}")
         if changes:
-            print_table(_difference_table(f"What is not as in {variant.base}", changes, variant.base))
-        print_table(_mass_table(described))
-        print_table(_axle_table(described))
+            output.print_table(_difference_table(f"What is not as in {variant.base}", changes, variant.base))
+        output.print_table(_mass_table(described))
+        output.print_table(_axle_table(described))
         if figure is not None:
             from hh_exudyn.figures.vehicle import summary, vehicle_sheet
 
             title = f"{variant.name}: {summary(described)}"
-            write_figure(vehicle_sheet(title, described), figure, "--figure")
+            output.write_figure(vehicle_sheet(title, described), figure, "--figure")
 
 
 @vehicle.command()
 def compare(first: Source, second: Source) -> None:
     """The numbers in which two vehicles differ."""
-    with told():
+    with output.errors_in_one_line():
         from hh_exudyn.sourced import differences
 
-        one, other = _found(first), _found(second)
+        one, other = _variant(first), _variant(second)
         found = differences(one.parameters(), other.parameters())
         title = f"From {one.name} to {other.name}"
         if found:
-            print_table(_difference_table(title, found, one.name))
-        out.print(f"{title}: {_said(len(found))}", markup=False)
+            output.print_table(_difference_table(title, found, one.name))
+        output.print_line(f"{title}: {_difference_count(len(found))}")
 
 
-def _found(source: str) -> "Variant":
+def _variant(source: str) -> "Variant":
     """The vehicle of a name or file; what is neither is refused."""
     from vehicles.variants import find_variant
 
-    try:
+    with inputs.refused_as_bad_input():
         return find_variant(source)
-    except ValueError as error:
-        raise Refused(str(error)) from None
 
 
-def _said(count: int) -> str:
+def _difference_count(count: int) -> str:
     """How many numbers differ."""
     return "1 number differs" if count == 1 else f"{count or 'no'} numbers differ"
 
@@ -148,12 +137,12 @@ def _count(parameters: "ParameterSet") -> str:
     from hh_exudyn.sourced import KINDS, VARIANT
 
     counts = {kind: len(parameters.of_kind(kind)) for kind in (*KINDS, VARIANT)}
-    said = [
+    parts = [
         f"{count} {kind}{f' ({_MARKS[kind]})' if kind in _MARKS else ''}"
         for kind, count in counts.items()
         if count
     ]
-    return f"{len(parameters.parameters)} numbers: {', '.join(said)}"
+    return f"{len(parameters.parameters)} numbers: {', '.join(parts)}"
 
 
 def _difference_table(title: str, found: "tuple[Difference, ...]", base: str) -> Table:
@@ -167,18 +156,18 @@ def _difference_table(title: str, found: "tuple[Difference, ...]", base: str) ->
             " / ".join(units),
             _value(one.before),
             _value(one.after),
-            shown.source if shown is not None and one.after is not None else NOTHING,
+            shown.source if shown is not None and one.after is not None else output.NOTHING,
         )
     return table
 
 
 def _value(parameter: "Parameter | None") -> str:
-    return NOTHING if parameter is None else f"{parameter.value:g}"
+    return output.NOTHING if parameter is None else f"{parameter.value:g}"
 
 
 def _text_table(title: str, headings: tuple[str, ...]) -> Table:
     """A table whose last column is text that goes on in the next line."""
-    table = new_table(title, headings)
+    table = output.new_table(title, headings)
     for column, heading in zip(table.columns, headings, strict=True):
         if heading in ("part", "number", "unit", "", "source"):
             column.justify = "left"
@@ -189,7 +178,7 @@ def _text_table(title: str, headings: tuple[str, ...]) -> Table:
 
 def _mass_table(described: "Vehicle") -> Table:
     """A line per kind of bodies alike."""
-    table = new_table(
+    table = output.new_table(
         f"Masses of {described.name}, {1e-3 * described.mass:.2f} t",
         ("body", "number", "mass [kg]", "Ix [kg m²]", "Iy [kg m²]", "Iz [kg m²]", "height [m]"),
     )
@@ -209,7 +198,7 @@ def _axle_table(described: "Vehicle") -> Table:
     from hh_exudyn.conventions import GRAVITY
     from vehicles.statics import axle_loads
 
-    table = new_table(
+    table = output.new_table(
         "Wheelsets at rest", ("wheelset", "bogie", "x [m]", "wheels [mm]", "load [kN]", "load [t]")
     )
     try:
@@ -222,7 +211,7 @@ def _axle_table(described: "Vehicle") -> Table:
             f"{wheelset.bogie}",
             f"{described.body(wheelset.body).position[0]:.3f}",
             f"{2e3 * wheelset.radius:.0f}",
-            NOTHING if math.isnan(load) else f"{1e-3 * load:.1f}",
-            NOTHING if math.isnan(load) else f"{1e-3 * load / GRAVITY:.2f}",
+            output.NOTHING if math.isnan(load) else f"{1e-3 * load:.1f}",
+            output.NOTHING if math.isnan(load) else f"{1e-3 * load / GRAVITY:.2f}",
         )
     return table

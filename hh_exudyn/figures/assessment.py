@@ -9,8 +9,8 @@ from matplotlib.patches import Patch
 
 from hh_exudyn.assessment.report import Assessment, History
 from hh_exudyn.assessment.sections import STRAIGHT, TRANSITION
+from hh_exudyn.figures.style import SMALL, wheelset_colour
 
-_SMALL = {"font.size": 8, "legend.fontsize": 7, "axes.titlesize": 8}
 _COURSES = {  # quantity: label, factor, whether the limit holds on both sides
     "sum_y": ("ΣY, 2 m [kN]\nleft +", 1e-3, True),
     "y_over_q": ("Y/Q, 2 m [-]\noutwards +", 1.0, False),
@@ -28,7 +28,6 @@ _LABELS = {  # of the quantities that have a limit
     "body_vertical": "body vertical",
     "sum_y_rms": "ΣY, f0 ± 2 Hz, rms",
 }
-_COLOURS = ("tab:blue", "tab:orange", "tab:green", "tab:purple", "tab:brown", "tab:cyan")
 _SHADES = {STRAIGHT: "white", TRANSITION: "gold"}
 _CURVE_SHADE = "tab:gray"
 _LIMIT = "tab:red"
@@ -48,7 +47,7 @@ def assessment_sheet(title: str, assessment: Assessment) -> Figure:
         Panels are left out for quantities that the vehicle has not, such as accelerations over bogies.
     """
     shown = [name for name in _COURSES if name in assessment.histories]
-    with rc_context(_SMALL):
+    with rc_context(SMALL):
         heights = [1.0] * len(shown) + [1.9]
         figure = Figure(figsize=(9.0, 1.5 * sum(heights)), layout="constrained")
         figure.suptitle(title)
@@ -104,7 +103,7 @@ def _line(history: History, i: int) -> tuple[str, str]:
     """Colour and style of a place: wheels of one wheelset share the colour, the right one is dotted."""
     wheel = history.places[i].startswith("wheel ")
     number = i // 2 if wheel else i
-    return _COLOURS[number % len(_COLOURS)], ":" if wheel and i % 2 else "-"
+    return wheelset_colour(number), ":" if wheel and i % 2 else "-"
 
 
 def _draw_shares(axes: Axes, assessment: Assessment) -> None:
@@ -117,7 +116,7 @@ def _draw_shares(axes: Axes, assessment: Assessment) -> None:
             if not own:
                 continue
             confirmed = own[0].limit is not None and own[0].limit.confirmed
-            colour = _COLOURS[number % len(_COLOURS)]
+            colour = wheelset_colour(number)
             offset = 0.5 * (number + 1) / (len(kinds) + 1) - 0.25
             axes.plot(
                 [100.0 * f.share for f in own], np.full(len(own), row + offset), "o", color=colour,
@@ -130,7 +129,7 @@ def _draw_shares(axes: Axes, assessment: Assessment) -> None:
     axes.set_xlabel("share of the limit [%]: every place in every section; hollow: limit unconfirmed")
     axes.grid(alpha=0.3)
     marks = [
-        Line2D([], [], marker="o", linestyle="", color=_COLOURS[i], label=kind)
+        Line2D([], [], marker="o", linestyle="", color=wheelset_colour(i), label=kind)
         for i, kind in enumerate(kinds)
     ]
     axes.legend(handles=marks, loc="center")
@@ -140,7 +139,7 @@ def _key(assessment: Assessment) -> list[Line2D | Patch]:
     """What lines and shades mean."""
     wheelsets = assessment.histories["sum_y"].places
     return [
-        *(Line2D([], [], color=_COLOURS[i % len(_COLOURS)], label=name) for i, name in enumerate(wheelsets)),
+        *(Line2D([], [], color=wheelset_colour(i), label=name) for i, name in enumerate(wheelsets)),
         Line2D([], [], color="black", linestyle=":", label="its right wheel"),
         Line2D([], [], color=_LIMIT, label="limit"),
         Line2D([], [], color=_LIMIT, linestyle="--", label="limit, unconfirmed"),

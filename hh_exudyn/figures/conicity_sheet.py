@@ -10,6 +10,7 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.merit import ConicityReport
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.figures.conicity import draw_conicity, draw_contact_positions, draw_radius_difference
+from hh_exudyn.figures.style import SMALL
 
 _STEP = 1e-3  # m, at least, between the displacements whose contact positions are joined
 _SHOWN = 12e-3  # m, of displacements
@@ -32,7 +33,7 @@ def conicity_sheet(wheel: Profile, rail: Profile, reports: Mapping[str, Conicity
     """
     if not reports:
         raise ValueError("reports: none given, at least one is needed")
-    with rc_context({"font.size": 8, "legend.fontsize": 7, "axes.titlesize": 8}):
+    with rc_context(SMALL):
         below = max(2, len(reports))
         figure = Figure(figsize=(3.9 * below, 5.6), layout="constrained")
         figure.suptitle(f"{wheel.name} on {rail.name}")

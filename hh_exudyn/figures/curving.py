@@ -10,9 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import NullLocator, ScalarFormatter
 
 from hh_exudyn.arrays import FloatArray
-
-_SMALL = {"font.size": 8, "legend.fontsize": 7, "axes.titlesize": 8}
-_COLOURS = ("tab:blue", "tab:orange", "tab:green", "tab:purple", "tab:brown", "tab:cyan")
+from hh_exudyn.figures.style import SMALL, wheelset_colour
 
 
 def curving_figure(title: str, radius: FloatArray, quantities: Mapping[str, FloatArray]) -> Figure:
@@ -43,7 +41,7 @@ def curving_figure(title: str, radius: FloatArray, quantities: Mapping[str, Floa
         raise ValueError(f"radii must increase, they are {radius.tolist()} m")
     wheelsets = shapes.pop()[1]
     rows = (len(quantities) + 1) // 2
-    with rc_context(_SMALL):
+    with rc_context(SMALL):
         figure = Figure(figsize=(9.0, 0.8 + 2.2 * rows), layout="constrained")
         figure.suptitle(title)
         panels = figure.subplots(rows, 2, sharex=True, squeeze=False).ravel()
@@ -55,7 +53,9 @@ def curving_figure(title: str, radius: FloatArray, quantities: Mapping[str, Floa
         for axes in panels[max(len(quantities) - 2, 0) : len(quantities)]:
             axes.set_xlabel("radius [m]")
             axes.tick_params(labelbottom=True)
-        marks = [Line2D([], [], color=_colour(i), label=f"wheelset {i + 1}") for i in range(wheelsets)]
+        marks = [
+            Line2D([], [], color=wheelset_colour(i), label=f"wheelset {i + 1}") for i in range(wheelsets)
+        ]
         if any(values.ndim == 3 for values in quantities.values()):
             marks += [
                 Line2D([], [], color="black", marker="o", markersize=3, label="left wheel"),
@@ -67,14 +67,11 @@ def curving_figure(title: str, radius: FloatArray, quantities: Mapping[str, Floa
 
 def _draw(axes: Axes, radius: FloatArray, values: FloatArray) -> None:
     """One quantity; right wheels dotted."""
+    of_wheels = values.ndim == 3
     for number in range(values.shape[1]):
-        if values.ndim == 2:
-            axes.plot(radius, values[:, number], "-o", color=_colour(number), markersize=3, linewidth=1.0)
-            continue
-        for side, style in enumerate(("-o", ":s")):
-            axes.plot(
-                radius, values[:, number, side], style, color=_colour(number), markersize=3, linewidth=1.0
-            )
+        for side, style in enumerate(("-o", ":s") if of_wheels else ("-o",)):
+            own = values[:, number, side] if of_wheels else values[:, number]
+            axes.plot(radius, own, style, color=wheelset_colour(number), markersize=3, linewidth=1.0)
     axes.set_xscale("log")
     axes.set_xticks(radius)
     axes.xaxis.set_major_formatter(ScalarFormatter())
@@ -82,7 +79,3 @@ def _draw(axes: Axes, radius: FloatArray, values: FloatArray) -> None:
     if values.min() < 0.0:
         axes.axhline(0.0, color="black", linewidth=0.5)
     axes.grid(alpha=0.3)
-
-
-def _colour(number: int) -> str:
-    return _COLOURS[number % len(_COLOURS)]

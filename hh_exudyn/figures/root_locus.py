@@ -4,7 +4,8 @@ from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
+
+from hh_exudyn.arrays import ComplexArray, FloatArray
 
 _SIZE = (9.0, 4.6)  # inches
 _DAMPINGS = (0.05, 0.1, 0.2, 0.4)  # damping ratios that are drawn as lines
@@ -13,8 +14,8 @@ _STRONG = 0.5  # damping ratio of what is left out on the right
 
 def root_locus_figure(
     title: str,
-    speeds: NDArray[np.float64],
-    locus: NDArray[np.complex128],
+    speeds: FloatArray,
+    locus: ComplexArray,
     critical: float | None = None,
     highest: float = 15.0,
 ) -> Figure:
@@ -22,11 +23,16 @@ def root_locus_figure(
 
     Parameters
     ----------
-    title : above both
-    speeds : (n,) [m/s]
-    locus : (n, modes) eigenvalues [1/s], NaN where a mode is none: `multibody.linear.root_locus`
-    critical : critical speed [m/s], if there is one
-    highest : of the frequencies shown [Hz]
+    title : str
+        Above both panels.
+    speeds : (n,) array
+        [m/s].
+    locus : (n, modes) array
+        Eigenvalues of `hh_exudyn.multibody.linear.modes.root_locus` [1/s]; NaN where a mode is not there.
+    critical : float or None
+        Critical speed [m/s]; None, the default, for none.
+    highest : float
+        Upper end of the frequencies shown [Hz].
     """
     figure = Figure(figsize=_SIZE, layout="constrained")
     figure.suptitle(title)

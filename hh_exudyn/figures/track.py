@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
+from hh_exudyn.figures.style import SMALL
 from track.course.alignment import Alignment
 from track.irregularity.irregularity import Irregularity
 from track.irregularity.quality import CLASSES, TrackQuality
@@ -21,7 +22,6 @@ CANT_STEP_MM = 10.0  # of the bars of the cants
 _COLOURS = dict(zip(CLASSES, ("tab:green", "gold", "tab:orange", "tab:red"), strict=True))
 _HANDS = {"straight": "tab:gray", "left": "tab:blue", "right": "tab:orange"}
 _LABELS = {"cross_level": "cross-level"}
-_SMALL = {"font.size": 8, "legend.fontsize": 7, "axes.titlesize": 8}
 
 
 def track_sheet(
@@ -58,7 +58,7 @@ def track_sheet(
     if table.gradient.any():
         courses["gradient [\u2030]\nuphill +"] = 1e3 * table.gradient
     panels = len(courses) + (0 if irregularity is None else len(SIGNALS)) + (0 if quality is None else 2)
-    with rc_context(_SMALL):
+    with rc_context(SMALL):
         figure = Figure(figsize=(8.0, 1.0 + 1.15 * panels), layout="constrained")
         figure.suptitle(title)
         column = list(np.ravel(figure.subplots(panels, 1, sharex=True)))
@@ -135,7 +135,7 @@ def line_sheet(title: str, sections: Sequence[TrackSection]) -> Figure:
     """
     if not sections:
         raise ValueError("sections: none given, at least one is needed")
-    with rc_context(_SMALL):
+    with rc_context(SMALL):
         figure = Figure(figsize=(8.0, 6.0), layout="constrained")
         figure.suptitle(title)
         by_class, by_cant, by_speed, by_quality = np.ravel(figure.subplots(2, 2))

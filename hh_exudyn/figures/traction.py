@@ -8,8 +8,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from hh_exudyn.arrays import FloatArray
+from hh_exudyn.figures.style import SMALL, wheelset_colour
 
-_SMALL = {"font.size": 8, "legend.fontsize": 7, "axes.titlesize": 8}
 _DEMAND, _COUPLER, _BRAKE = "black", "tab:red", "tab:green"
 _STYLES = ("-", "--", ":")
 
@@ -34,7 +34,7 @@ def control_figure(title: str, control: Mapping[str, FloatArray]) -> Figure:
         raise ValueError(f"control log has {control['wheelset'].size} rows of {axles} wheelsets")
     of = {name: np.asarray(values).reshape(-1, axles) for name, values in control.items()}
     time = of["time"][:, 0]
-    with rc_context(_SMALL):
+    with rc_context(SMALL):
         figure = Figure(figsize=(7.0, 8.5), layout="constrained")
         figure.suptitle(title)
         panels = figure.subplots(5, 1, sharex=True)
@@ -59,9 +59,8 @@ def control_figure(title: str, control: Mapping[str, FloatArray]) -> Figure:
 
 
 def _wheelsets(axes: Axes, time: FloatArray, values: FloatArray, label: str) -> None:
-    colours = ("tab:blue", "tab:orange", "tab:green", "tab:red", "tab:purple", "tab:brown")
     for number in range(values.shape[1]):
-        axes.plot(time, values[:, number], lw=0.9, color=colours[number % 6], label=f"{number + 1}")
+        axes.plot(time, values[:, number], lw=0.9, color=wheelset_colour(number), label=f"{number + 1}")
     axes.set_ylabel(label)
 
 
@@ -95,7 +94,7 @@ def effort_figure(
         [m/s]
     """
     speeds = np.linspace(1.0, top_speed, 200)
-    with rc_context(_SMALL):
+    with rc_context(SMALL):
         figure = Figure(figsize=(6.0, 4.5), layout="constrained")
         axes = figure.subplots()
         pull = [1e-3 * largest(v) for v in speeds]
@@ -116,7 +115,7 @@ def effort_figure(
     return figure
 
 
-def steering_figure(
+def bogie_curving_figure(
     title: str, radii: FloatArray, quantities: Mapping[str, Mapping[str, FloatArray]]
 ) -> Figure:
     """Quantities of the wheelsets of one bogie over the radius of the curve, variants side by side.
@@ -140,7 +139,7 @@ def steering_figure(
     if shapes != {radii.size}:
         raise ValueError(f"quantities of {sorted(shapes)} radii, radii are {radii.size}")
     order = np.argsort(radii)
-    with rc_context(_SMALL):
+    with rc_context(SMALL):
         rows = (len(quantities) + 1) // 2
         figure = Figure(figsize=(7.5, 0.6 + 2.5 * rows), layout="constrained")
         figure.suptitle(title)

@@ -13,8 +13,9 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Rectangle
-from numpy.typing import NDArray
 
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.figures.style import SMALL
 from vehicles.description import Body, Vehicle
 from vehicles.outline import RUNNING_CIRCLE, WHEEL_WIDTH, attachments, body_box, coupling_ends, vehicle_box
 
@@ -27,7 +28,6 @@ _COLOURS = {
     "motor": "tab:brown",
 }
 _MARKS = ("o", "s", "^", "D", "v", "P", "X", "<", ">", "p")
-_SMALL = {"font.size": 8, "legend.fontsize": 7, "axes.titlesize": 8}
 _SIDE, _TOP = (0, 2), (0, 1)  # axes of the two views
 
 
@@ -48,7 +48,7 @@ def vehicle_sheet(title: str, vehicle: Vehicle) -> Figure:
     heights = (top + 0.3 + _BELOW, 2 * half)
     width = 9.0
     scale = (width - 1.0) / (span[1] - span[0])  # inches a metre
-    with rc_context(_SMALL):
+    with rc_context(SMALL):
         figure = Figure(figsize=(width, scale * sum(heights) + 2.0), layout="constrained")
         figure.suptitle(title)
         side, plan = figure.subplots(2, 1, sharex=True, height_ratios=heights)
@@ -73,9 +73,7 @@ def vehicle_sheet(title: str, vehicle: Vehicle) -> Figure:
     return figure
 
 
-def _draw_box(
-    axes: Axes, body: Body, box: tuple[NDArray[np.float64], NDArray[np.float64]], view: tuple[int, int]
-) -> None:
+def _draw_box(axes: Axes, body: Body, box: tuple[FloatArray, FloatArray], view: tuple[int, int]) -> None:
     """A body's box, and its centre of mass as a cross in a circle."""
     i, j = view
     low, high = box
@@ -110,7 +108,7 @@ def _draw_couplings(axes: Axes, vehicle: Vehicle, view: tuple[int, int]) -> None
 def _draw_heads(
     axes: Axes,
     vehicle: Vehicle,
-    boxes: list[tuple[NDArray[np.float64], NDArray[np.float64]]],
+    boxes: list[tuple[FloatArray, FloatArray]],
     view: tuple[int, int],
 ) -> None:
     """Coupler heads as squares, with a line to the nearest body."""

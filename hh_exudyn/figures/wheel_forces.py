@@ -6,11 +6,12 @@ import numpy as np
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from hh_exudyn.arrays import FloatArray
+from hh_exudyn.figures.style import SMALL
 
 BINS = 30  # of each histogram
-_SMALL = {"font.size": 8, "legend.fontsize": 7, "axes.titlesize": 8}
 _COLOURS = ("tab:green", "tab:orange", "tab:purple", "tab:brown")
 _STYLES = ("-", "--", "-.", ":")
 _LOWEST, _HIGHEST = "tab:blue", "tab:red"
@@ -50,25 +51,34 @@ def force_histograms(
     ):
         raise ValueError(f"forces must be one or more arrays (n, wheelsets, 2), they are {sorted(shapes)}")
     wheelsets = shapes.pop()[0]
-    with rc_context(_SMALL):
-        figure = Figure(figsize=(8.0, 1.2 + 1.4 * wheelsets), layout="constrained")
-        figure.suptitle(title)
-        panels = figure.subplots(wheelsets, 2, sharex=True, sharey=True, squeeze=False)
+    with rc_context(SMALL):
+        figure, panels = _wheel_panels(title, wheelsets, f"{label} [kN]", "density [1/kN]")
         for (number, side), axes in np.ndenumerate(panels):
             if measured is not None:
                 own = 1e-3 * measured[:, number, side]
                 axes.hist(own, BINS, density=True, color="lightgray", label="measured")
             for place, (name, values) in enumerate(forces.items()):
                 _draw_range(axes, 1e-3 * values[:, number, side], place, name)
-            axes.set_title(f"wheelset {number + 1}, {_SIDES[side]}")
-            axes.grid(alpha=0.3)
             axes.margins(x=0.08)  # room for the numbers at the lines
-        for axes in panels[-1]:
-            axes.set_xlabel(f"{label} [kN]")
-        for axes in panels[:, 0]:
-            axes.set_ylabel("density [1/kN]")
         figure.legend(*panels[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=5)
     return figure
+
+
+def _wheel_panels(
+    title: str, wheelsets: int, x_label: str, y_label: str
+) -> tuple[Figure, NDArray[np.object_]]:
+    """A figure with a panel for every wheel: a row a wheelset, left and right wheel."""
+    figure = Figure(figsize=(8.0, 1.2 + 1.4 * wheelsets), layout="constrained")
+    figure.suptitle(title)
+    panels = figure.subplots(wheelsets, 2, sharex=True, sharey=True, squeeze=False)
+    for (number, side), axes in np.ndenumerate(panels):
+        axes.set_title(f"wheelset {number + 1}, {_SIDES[side]}")
+        axes.grid(alpha=0.3)
+    for axes in panels[-1]:
+        axes.set_xlabel(x_label)
+    for axes in panels[:, 0]:
+        axes.set_ylabel(y_label)
+    return figure, panels
 
 
 def _draw_range(axes: Axes, values: FloatArray, place: int, name: str) -> None:
@@ -114,10 +124,8 @@ def force_spectra(
     if len(shapes) != 1 or any(density.ndim != 3 for _, density in spectra.values()):
         raise ValueError(f"spectra must be one or more arrays (m, wheelsets, 2), they are {sorted(shapes)}")
     wheelsets = shapes.pop()[0]
-    with rc_context(_SMALL):
-        figure = Figure(figsize=(8.0, 1.2 + 1.4 * wheelsets), layout="constrained")
-        figure.suptitle(title)
-        panels = figure.subplots(wheelsets, 2, sharex=True, sharey=True, squeeze=False)
+    with rc_context(SMALL):
+        figure, panels = _wheel_panels(title, wheelsets, "frequency [Hz]", f"PSD of {label}\n[kN²/Hz]")
         for (number, side), axes in np.ndenumerate(panels):
             for name, (frequency, density) in spectra.items():
                 shown = (frequency > 0.0) & (frequency <= highest)
@@ -126,12 +134,6 @@ def force_spectra(
                 )
             for name, mark in (marks or {}).items():
                 axes.axvline(mark, color="black", linestyle=":", linewidth=0.9, label=name)
-            axes.set_title(f"wheelset {number + 1}, {_SIDES[side]}")
-            axes.grid(alpha=0.3)
             axes.set_xlim(0.0, highest)
-        for axes in panels[-1]:
-            axes.set_xlabel("frequency [Hz]")
-        for axes in panels[:, 0]:
-            axes.set_ylabel(f"PSD of {label}\n[kN²/Hz]")
         figure.legend(*panels[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=5)
     return figure

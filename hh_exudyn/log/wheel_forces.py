@@ -1,17 +1,18 @@
 """Q and Y of every wheel of a run over time, from its contact log; filtered, and as spectra.
 
 What a measuring wheelset or a station beside the track gives is filtered: Hossein-Nia (2018, section 1.2.1)
-filters measured and calculated forces at 20 Hz. The filter here is a Butterworth low-pass of fourth order,
-run forwards and backwards, so that it shifts nothing in time.
+filters measured and calculated forces at 20 Hz. The filter is that of `hh_exudyn.signals`: no shift in time,
+-3 dB at the cut-off.
 """
 
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.signal import butter, sosfiltfilt, welch
+from scipy.signal import welch
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.log.store import Run
+from hh_exudyn.signals import low_pass
 
 _COLUMNS = ("time", "s", "vehicle", "wheelset", "side", "patch", "Q", "Y")
 
@@ -54,15 +55,12 @@ class WheelForces:
         return replace(self, time=self.time[inside], s=self.s[inside], Q=self.Q[inside], Y=self.Y[inside])
 
     def filtered(self, cutoff: float) -> "WheelForces":
-        """Without what is faster than the cut-off frequency [Hz], at which half the amplitude is left.
+        """The forces below a cut-off frequency [Hz], at which 1 / sqrt(2) of the amplitude is left.
 
         Raises ValueError unless the frequency is above 0 and below half the sampling rate.
         """
-        highest = 0.5 / self.interval
-        if not 0.0 < cutoff < highest:
-            raise ValueError(f"cutoff is {cutoff} Hz, allowed are above 0 to below {highest:g} Hz")
-        sections = butter(4, cutoff, fs=1.0 / self.interval, output="sos")
-        return replace(self, Q=sosfiltfilt(sections, self.Q, axis=0), Y=sosfiltfilt(sections, self.Y, axis=0))
+        Q, Y = (low_pass(force, self.interval, cutoff) for force in (self.Q, self.Y))
+        return replace(self, Q=Q, Y=Y)
 
     def spectrum(self, force: str, segment: float = 4.0) -> tuple[FloatArray, FloatArray]:
         """Power spectral density of a force, by the method of Welch (1967): Hann windows that half overlap.

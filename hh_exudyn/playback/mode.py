@@ -11,13 +11,14 @@ from pathlib import Path
 import numpy as np
 import rerun as rr
 import rerun.blueprint as rrb
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from hh_exudyn.arrays import ComplexArray, FloatArray
 from hh_exudyn.case import Case
 from hh_exudyn.playback.frames import Poses
 from hh_exudyn.playback.layout import vehicle_view
-from hh_exudyn.playback.run import APPLICATION, Scene, leading_body, scene
+from hh_exudyn.playback.recording import new_recording
+from hh_exudyn.playback.run import Scene, leading_body, scene
 from hh_exudyn.playback.send import clock, send_mesh, send_poses, send_track_piece
 from hh_exudyn.playback.shapes.track import pieces
 from track.course.alignment import Alignment, Straight
@@ -31,7 +32,7 @@ AMPLITUDE = 0.12  # of the largest displacement [m] or rotation [rad]
 SIGHT = 60.0  # track drawn before and behind the vehicle [m]
 
 
-def swing(shape: NDArray[np.complex128], times: NDArray[np.float64]) -> NDArray[np.float64]:
+def swing(shape: ComplexArray, times: FloatArray) -> FloatArray:
     """Displacements [m] and rotations [rad] of all bodies, (times, bodies, 6), largest `AMPLITUDE`.
 
     Parameters
@@ -46,9 +47,7 @@ def swing(shape: NDArray[np.complex128], times: NDArray[np.float64]) -> NDArray[
     return np.asarray((turning[:, None, None] * scaled[None]).real, dtype=np.float64)
 
 
-def record_mode(
-    case: Case, vehicle: Vehicle, shape: NDArray[np.complex128], path: Path | str, *, name: str
-) -> Path:
+def record_mode(case: Case, vehicle: Vehicle, shape: ComplexArray, path: Path | str, *, name: str) -> Path:
     """Write a mode as a recording (`.rrd`), and return its path.
 
     Parameters
@@ -76,29 +75,18 @@ def record_mode(
     straight = Alignment((Straight(length),), lead_in=length)
     shown = replace(scene(case, vehicle), alignment=straight)
     target = Path(path)
-    stream = rr.RecordingStream(APPLICATION, send_properties=False)
-    partial = target.with_name(target.name + ".part")  # so that no half recording bears the name
     view = rrb.Blueprint(
         vehicle_view(vehicle, leading_body(vehicle)),
         rrb.TimePanel(state="collapsed", timeline="sim_time"),
         rrb.BlueprintPanel(state="hidden"),
         rrb.SelectionPanel(state="hidden"),
     )
-    try:
-        stream.save(partial, default_blueprint=view)
-        stream.send_recording_name(name)
+    with new_recording(target, name, view) as stream:
         _send(stream, shown, shape, (float(low[0]) - SIGHT, float(high[0]) + SIGHT))
-        stream.disconnect()  # flushes
-        partial.replace(target)
-    finally:
-        stream.disconnect()
-        partial.unlink(missing_ok=True)
     return target
 
 
-def _send(
-    stream: rr.RecordingStream, shown: Scene, shape: NDArray[np.complex128], reach: tuple[float, float]
-) -> None:
+def _send(stream: rr.RecordingStream, shown: Scene, shape: ComplexArray, reach: tuple[float, float]) -> None:
     """Track, shapes and the swinging bodies."""
     times = np.arange(round(SWINGS * PERIOD * RATE) + 1) / RATE
     when = clock(times, np.zeros_like(times))[:1]  # it stays where it is on the track

@@ -24,6 +24,7 @@ from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.log.store import Run
 from hh_exudyn.playback.frames import Poses, moving_frame, relative
 from hh_exudyn.playback.layout import blueprint
+from hh_exudyn.playback.recording import new_recording
 from hh_exudyn.playback.send import (
     body_poses,
     clock,
@@ -42,7 +43,6 @@ from track.course.alignment import Alignment
 from vehicles.description import Vehicle
 from vehicles.stored import from_json
 
-APPLICATION = "hh_exudyn"
 SIGHT = 150.0  # track drawn before and behind the vehicle's way [m]
 
 
@@ -115,14 +115,12 @@ def record(run: Run, path: Path | str, *, every: int = 1, vehicle: int | None = 
     FileNotFoundError
         The run has no case or no logs.
     """
-    kept = run.vehicle_text
+    case = Case.from_toml(run.case_text, folder=run.directory)
+    described = None if run.vehicle_text is None else from_json(run.vehicle_text)
     return record_tables(
         run.motion(),
         run.contact(),
-        scene(
-            Case.from_toml(run.case_text, folder=run.directory),
-            None if kept is None else from_json(kept),
-        ),
+        scene(case, described),
         path,
         name=run.directory.name,
         every=every,
@@ -143,17 +141,9 @@ def record_tables(
     """As `record`, from the two logs as tables and a scene."""
     target = Path(path)
     target.parent.mkdir(parents=True, exist_ok=True)
-    stream = rr.RecordingStream(APPLICATION, send_properties=False)
-    partial = target.with_name(target.name + ".part")  # so that no half recording bears the name
-    try:
-        stream.save(partial, default_blueprint=blueprint(scene.vehicle, leading_body(scene.vehicle)))
-        stream.send_recording_name(name)
+    view = blueprint(scene.vehicle, leading_body(scene.vehicle))
+    with new_recording(target, name, view) as stream:
         send(stream, motion, contact, scene, every=every, vehicle=vehicle)
-        stream.disconnect()  # flushes
-        partial.replace(target)
-    finally:
-        stream.disconnect()
-        partial.unlink(missing_ok=True)
     return target
 
 

@@ -207,7 +207,7 @@ def send_diagram(stream: rr.RecordingStream) -> None:
     )
 
 
-def body_poses(columns: Mapping[str, NDArray[np.float64]]) -> Poses:
+def body_poses(columns: Mapping[str, FloatArray]) -> Poses:
     """Global poses of a body from its rows of the motion log."""
     position = np.column_stack([columns[name] for name in ("x", "y", "z")])
     return Poses(position, Rotation.from_quat(np.column_stack([columns[f"q{name}"] for name in "xyzw"])))

@@ -5,12 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 import pyarrow
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from damage.rcf.surface_index import surface_fatigue_index
 from damage.shakedown import working_point
-from hh_exudyn.arrays import FloatArray
+from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.playback.frames import Poses, track_frames
@@ -44,7 +43,7 @@ class WheelRows:
 
     name: str
     side: int
-    patches: NDArray[np.int64]
+    patches: IntArray
     columns: Mapping[str, FloatArray]
 
 

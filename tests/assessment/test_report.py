@@ -9,7 +9,7 @@ import pytest
 from made_up_run import made_up_run
 
 from hh_exudyn.assessment.limits import limits
-from hh_exudyn.assessment.report import Assessment, Finding, assess
+from hh_exudyn.assessment.report import Assessment, Finding, standard_assessment
 from hh_exudyn.case import Case
 from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.log.store import Run
@@ -44,7 +44,7 @@ def waves(directory: Path, interval: float) -> Run:
 
 @pytest.fixture(scope="module")
 def known(tmp_path_factory: pytest.TempPathFactory) -> Assessment:
-    return assess(waves(tmp_path_factory.mktemp("made_up") / "run", 0.004))
+    return standard_assessment(waves(tmp_path_factory.mktemp("made_up") / "run", 0.004))
 
 
 def test_the_one_straight_is_assessed(known: Assessment) -> None:
@@ -100,7 +100,7 @@ def test_instability_about_the_peak(known: Assessment) -> None:
 
 
 def test_the_output_interval_does_not_matter(known: Assessment, tmp_path: Path) -> None:
-    finer = assess(waves(tmp_path / "run", 0.002))
+    finer = standard_assessment(waves(tmp_path / "run", 0.002))
     for one, other in zip(known.findings, finer.findings, strict=True):
         assert (one.quantity, one.place) == (other.quantity, other.place)
         tolerance = 0.02 if one.quantity in ("q", "y_over_q") else 0.005  # what is left of 30 Hz differs
@@ -132,13 +132,13 @@ def quiet(directory: Path, **changes: float) -> Run:
 
 def test_what_cannot_be_assessed_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"output interval is 20 ms, allowed are up to 10 ms"):
-        assess(quiet(tmp_path / "coarse", interval=0.02))
+        standard_assessment(quiet(tmp_path / "coarse", interval=0.02))
     run = quiet(tmp_path / "short", end=170.0)
     with pytest.raises(ValueError, match=r"test section: straight 161\.\d of 250 m"):
-        assess(run)
-    assert len(assess(run, section_length=40.0).sections) == 4
+        standard_assessment(run)
+    assert len(standard_assessment(run, section_length=40.0).sections) == 4
     with pytest.raises(ValueError, match="vehicle 2 is not in the contact log"):
-        assess(run, vehicle=2)
+        standard_assessment(run, vehicle=2)
 
 
 def test_a_short_run_in_a_curve(tmp_path: Path) -> None:
@@ -154,7 +154,7 @@ def test_a_short_run_in_a_curve(tmp_path: Path) -> None:
     case = demo.with_changes(
         speed_km_h=50.0, track={"sections": sections, "flexibility": "rigid"}, contact={"theory": "polach"}
     )
-    found = assess(simulate(case, tmp_path / "run"), section_length=30.0)
+    found = standard_assessment(simulate(case, tmp_path / "run"), section_length=30.0)
     last = found.sections[-1]
     mine = [finding for finding in found.findings if finding.section is last]
     wagon = vehicle(case.vehicle)

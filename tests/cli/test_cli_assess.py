@@ -1,21 +1,19 @@
 """``hh-exudyn assess``: values, limits with their marks, files, refusals."""
 
 import re
+from functools import partial
 from pathlib import Path
 
+import command_line
 import numpy as np
 import pyarrow.csv
 import pytest
 from made_up_run import made_up_run
-from typer.testing import CliRunner, Result
 
-from hh_exudyn.assessment.report import assess
-from hh_exudyn.cli.app import app
+from hh_exudyn.assessment.report import standard_assessment
 from hh_exudyn.log.store import Run
 
-
-def call(*words: str | Path) -> Result:
-    return CliRunner().invoke(app, ["assess", *map(str, words)])
+call = partial(command_line.call, "assess")
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +34,7 @@ def test_tables_and_files(run: Run, tmp_path: Path) -> None:
     assert re.search(r"Y/Q, 2 m \[-\] +0\.06\d +0\.800 +8 ", text)  # no question mark
     assert "Q [kN]: UIC 518 from memory: min(90 + Q0, 200) kN" in text
     assert "the axle load is above the 25 t" in text
-    assert pyarrow.csv.read_csv(tmp_path / "all.csv").num_rows == len(assess(run).findings)
+    assert pyarrow.csv.read_csv(tmp_path / "all.csv").num_rows == len(standard_assessment(run).findings)
     assert (tmp_path / "sheet.png").stat().st_size > 10_000
 
 

@@ -5,9 +5,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner, Result
+from command_line import call, refused
 
-from hh_exudyn.cli.app import app
 from hh_exudyn.contact.geometry.functions import equivalent_conicity, rolling_radius_difference
 from hh_exudyn.contact.profile import Profile, rail_profile, read_rail_profile, wheel_profile
 from hh_exudyn.contact.tangential.api import creep_force
@@ -16,20 +15,6 @@ from hh_exudyn.contact.tangential.validation import contact_table, to_table
 
 PATCH = ("patch", "--a-mm", "6", "--b-mm", "4", "--load-kn", "100")
 CREEPAGE = ("--nu-x", "1e-3", "--nu-y", "-5e-4", "--spin", "0.1", "--friction", "0.3")
-
-
-def call(*words: str | Path) -> Result:
-    return CliRunner().invoke(app, [str(word) for word in words])
-
-
-def refused(*words: str | Path) -> str:
-    """The one line on stderr of a command that is refused; nothing on stdout."""
-    result = call(*words)
-    assert result.exit_code == 2
-    assert result.stdout == ""
-    assert result.stderr.startswith("hh-exudyn: ")
-    assert result.stderr.count("\n") == 1
-    return result.stderr
 
 
 def rows(text: str, names: str) -> dict[str, list[str]]:

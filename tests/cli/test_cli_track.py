@@ -1,13 +1,13 @@
 """``hh-exudyn track plot``: numbers of a case and a line, figures, refusals."""
 
 import re
+from functools import partial
 from importlib import resources
 from pathlib import Path
 
+import command_line
 import pytest
-from typer.testing import CliRunner, Result
 
-from hh_exudyn.cli.app import app
 from track.irregularity.irregularity import random_irregularity
 from track.irregularity.quality import track_quality
 from vehicles.catalogue import vehicle
@@ -17,18 +17,8 @@ DEMO = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text(encoding=
 QUARRY = Path(__file__).parents[1] / "track" / "line" / "quarry_line.toml"
 
 
-def call(*words: str | Path) -> Result:
-    return CliRunner().invoke(app, ["track", "plot", *map(str, words)])
-
-
-def refused(*words: str | Path) -> str:
-    """The one line on stderr of a command that is refused; nothing on stdout."""
-    result = call(*words)
-    assert result.exit_code == 2
-    assert result.stdout == ""
-    assert result.stderr.startswith("hh-exudyn: ")
-    assert result.stderr.count("\n") == 1
-    return result.stderr
+call = partial(command_line.call, "track", "plot")
+refused = partial(command_line.refused, "track", "plot")
 
 
 @pytest.fixture

@@ -1,18 +1,17 @@
 """``hh-exudyn vehicle``: tables of the catalogue, of a vehicle and its file, comparisons, refusals."""
 
 import re
+from functools import partial
 from pathlib import Path
 
+import command_line
 import pytest
-from typer.testing import CliRunner, Result
 
-from hh_exudyn.cli.app import app
 from hh_exudyn.sourced import load_parameters
 from vehicles.catalogue import VEHICLES
 
-
-def call(*words: str | Path) -> Result:
-    return CliRunner().invoke(app, ["vehicle", *map(str, words)])
+call = partial(command_line.call, "vehicle")
+refused = partial(command_line.refused, "vehicle")
 
 
 def said(*words: str | Path) -> str:
@@ -20,16 +19,6 @@ def said(*words: str | Path) -> str:
     assert result.exit_code == 0, result.stderr
     assert max(map(len, result.stdout.splitlines())) <= 120
     return result.stdout
-
-
-def refused(*words: str | Path) -> str:
-    """The one line on stderr of a command that is refused; nothing on stdout."""
-    result = call(*words)
-    assert result.exit_code == 2
-    assert result.stdout == ""
-    assert result.stderr.startswith("hh-exudyn: ")
-    assert result.stderr.count("\n") == 1
-    return result.stderr
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from made_up_run import made_up_run
 
-from hh_exudyn.assessment.report import assess
+from hh_exudyn.assessment.report import standard_assessment
 from hh_exudyn.figures.assessment import assessment_sheet
 
 
@@ -17,7 +17,7 @@ def test_sheet(tmp_path: Path) -> None:
         lambda wheelset, side, t: 5e3 * side * np.sin(6.0 * t),
         lateral_velocity=lambda t: 0.01 * np.sin(6.0 * t),
     )
-    found = assess(run)
+    found = standard_assessment(run)
     figure = assessment_sheet("a title", found)
     sum_y, y_over_q, q, lateral, vertical, shares = figure.axes
     history = found.histories["q"]

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hh_exudyn.figures.traction import control_figure, effort_figure, steering_figure
+from hh_exudyn.figures.traction import bogie_curving_figure, control_figure, effort_figure
 from hh_exudyn.log.channels import CONTROL
 
 
@@ -49,11 +49,11 @@ def test_effort_figure_shows_limits_and_demands():
     assert axes.lines[0].get_xdata()[-1] == pytest.approx(72.0)
 
 
-def test_steering_figure_sorts_radii():
+def test_bogie_curving_figure_sorts_radii():
     values = np.array([[3.0, 30.0], [1.0, 10.0], [2.0, 20.0]])
-    figure = steering_figure("curves", np.array([900.0, 300.0, 600.0]), {"y [mm]": {"soft": values}})
+    figure = bogie_curving_figure("curves", np.array([900.0, 300.0, 600.0]), {"y [mm]": {"soft": values}})
     line = figure.axes[0].lines[1]
     assert line.get_xdata() == pytest.approx([300.0, 600.0, 900.0])
     assert line.get_ydata() == pytest.approx([10.0, 20.0, 30.0])
     with pytest.raises(ValueError, match="radii are 2"):
-        steering_figure("curves", np.array([900.0, 300.0]), {"y [mm]": {"soft": values}})
+        bogie_curving_figure("curves", np.array([900.0, 300.0]), {"y [mm]": {"soft": values}})

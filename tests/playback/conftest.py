@@ -14,7 +14,7 @@ from hh_exudyn.contact.profile import rail_profile, wheel_profile
 from hh_exudyn.log.channels import CONTACT, MOTION
 from hh_exudyn.playback.frames import track_frames
 from hh_exudyn.playback.run import Scene
-from hh_exudyn.playback.shapes.dimensions import WagonDimensions
+from hh_exudyn.playback.shapes.dimensions import wagon_dimensions
 from hh_exudyn.playback.shapes.vehicle import vehicle_shapes
 from track.course.alignment import Alignment, Curve, Straight, Transition
 from vehicles.catalogue import vehicle
@@ -52,7 +52,7 @@ def _motion(alignment: Alignment, times: np.ndarray, s: np.ndarray) -> pyarrow.T
 
 def _contact(alignment: Alignment, times: np.ndarray, s: np.ndarray) -> pyarrow.Table:
     """One patch a wheel; in the second half the leading left wheel has two, its right one none."""
-    size = WagonDimensions()
+    size = wagon_dimensions(vehicle("iore_wagon_loaded"))
     rows: dict[str, list[np.ndarray]] = {column.name: [] for column in CONTACT}
     for wheelset in range(4):
         x = (1 if wheelset < 2 else -1) * 0.5 * size.centre_plate_distance

@@ -1,5 +1,7 @@
 """Shapes: closed, of the wagon's real lengths, light enough, and placed about the centres of mass."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import trimesh
@@ -7,12 +9,16 @@ import trimesh
 from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.contact.profile import Profile, gauge_point, rail_profile, wheel_profile
 from hh_exudyn.playback.frames import moving_frame
-from hh_exudyn.playback.shapes.dimensions import WagonDimensions, wagon_dimensions
+from hh_exudyn.playback.shapes.dimensions import wagon_dimensions
 from hh_exudyn.playback.shapes.meshes import box, shaded, turned
+from hh_exudyn.playback.shapes.three_piece_bogie import SPRING
 from hh_exudyn.playback.shapes.track import pieces, rail_section, sleeper
 from hh_exudyn.playback.shapes.vehicle import vehicle_shapes
 from track.course.alignment import Alignment, Curve, Grade, Straight, Transition
-from vehicles.catalogue import vehicle
+from vehicles.catalogue import parameters, vehicle
+from vehicles.couplings import SideBearer
+from vehicles.description import Vehicle
+from vehicles.models.wagon import ore_wagon
 
 
 @pytest.fixture(scope="module")
@@ -54,7 +60,7 @@ def test_wheels_stand_on_the_rails_with_flanges_inside(shapes: dict[str, trimesh
 
 
 def test_ore_lies_in_the_basket_and_heaps_over_its_rim(shapes: dict[str, trimesh.Trimesh]) -> None:
-    ore, size = shapes["car_body/ore"], WagonDimensions()
+    ore, size = shapes["car_body/ore"], wagon_dimensions(vehicle("iore_wagon_loaded"))
     assert np.all(np.abs(ore.bounds[:, 0]) < 0.5 * size.basket_length)
     assert np.all(np.abs(ore.bounds[:, 1]) < 0.5 * size.basket_width)
     low, high = ore.bounds[:, 2] + vehicle("iore_wagon_loaded").body("car_body").position[2]
@@ -65,17 +71,85 @@ def test_empty_wagon_has_no_ore(tread: np.ndarray) -> None:
     assert "car_body/ore" not in vehicle_shapes(vehicle("iore_wagon_empty"), tread)
 
 
-def test_dimensions_come_from_the_description() -> None:
-    loaded = vehicle("iore_wagon_loaded")
-    size = wagon_dimensions(loaded)
-    assert size.length == loaded.dimensions["length"]
-    assert size.car_body_height == loaded.body("car_body").position[2]
+X, Y, Z = range(3)
+CHANGED = {  # parameter: its change [m], a body that shows it, the axis and the change of the mesh along it
+    "wheelset.radius": (-0.03, "wheelset_1", X, -0.06),
+    "wheelset.wheelbase": (0.2, "side_frame_1L", X, 0.2),
+    "wheelset.axle_box_half_spacing": (0.05, "wheelset_1", Y, 0.1),
+    "wagon.basket_width": (-0.3, "car_body", Y, -0.3),
+    "wagon.length": (0.4, "car_body", X, 0.4),
+    "wagon.height": (0.2, "car_body", Z, 0.2),
+}
+
+
+@pytest.mark.parametrize("name", CHANGED)
+def test_a_changed_dimension_is_drawn(name: str, tread: np.ndarray) -> None:
+    change, body, axis, expected = CHANGED[name]
+    before, after = (
+        vehicle_shapes(wagon_with(name, own)[1], tread)[body].extents[axis] for own in (0.0, change)
+    )
+    assert after - before == pytest.approx(expected, abs=1e-9)
+
+
+def test_a_bolster_stays_on_its_springs_when_its_centre_of_mass_is_higher(tread: np.ndarray) -> None:
+    before, after = (
+        vehicle_shapes(wagon_with("bolster.height", own)[1], tread)["bolster_1"] for own in (0.0, 0.05)
+    )
+    assert after.bounds[0, 2] - before.bounds[0, 2] == pytest.approx(-0.05)
+
+
+INSIDE = {  # what lies within a body: parameter, its value [m], body, and points that the mesh must have
+    "side_bearer.lateral_position": (0.55, "bolster_1", lambda points: np.abs(points[:, 1] - 0.55), 0.07),
+    "centre_plate.radius": (0.25, "bolster_1", lambda points: np.hypot(points[:, 0], points[:, 1]), 0.26),
+    "wedge.longitudinal_position": (0.183, "bolster_1", lambda points: np.abs(points[:, 0]), 0.183),
+}
+
+
+@pytest.mark.parametrize("name", INSIDE)
+def test_a_changed_place_inside_is_drawn(name: str, tread: np.ndarray) -> None:
+    value, body, distance, wanted = INSIDE[name]
+    usual, own = wagon_with(name, 0.0)
+    _, changed = wagon_with(name, value - usual)
+
+    def nearest(described: Vehicle) -> float:
+        points = np.asarray(vehicle_shapes(described, tread)[body].vertices)
+        return float(np.abs(distance(points) - wanted).min())
+
+    assert nearest(changed) < 1e-9 < nearest(own)
+
+
+def test_spring_nests_rise_with_their_couplings(tread: np.ndarray) -> None:
+    """Coils lie about the height of the nest (to half a facet of their wire)."""
+
+    def coils(change: float) -> np.ndarray:
+        mesh = vehicle_shapes(wagon_with("spring_nest.height", change)[1], tread)["side_frame_1L"]
+        yellow = (mesh.visual.face_colors[:, :3] == SPRING).all(axis=1)
+        heights = np.asarray(mesh.triangles_center)[yellow, 2] + 0.48
+        return np.array([heights.min(), heights.max()])
+
+    assert coils(-0.06) == pytest.approx(coils(0.0) - 0.06, abs=1e-3)
+    assert coils(0.0).mean() == pytest.approx(0.50, abs=0.02)
+
+
+def test_what_lacks_a_coupling_is_no_ore_wagon() -> None:
+    wagon = vehicle("iore_wagon_loaded")
+    bare = replace(wagon, couplings=tuple(one for one in wagon.couplings if not isinstance(one, SideBearer)))
+    with pytest.raises(ValueError, match="cannot be drawn as an ore wagon: it lacks SideBearer"):
+        wagon_dimensions(bare)
+
+
+def wagon_with(name: str, change: float) -> tuple[float, Vehicle]:
+    """The usual value of a parameter, and the loaded wagon with it changed."""
+    known = parameters("iore_wagon_loaded")
+    usual = known[name]
+    payload = known["wagon.payload"]
+    return usual, ore_wagon("changed", known.replace({name: usual + change}, "assumed: test"), payload)
 
 
 @pytest.mark.parametrize("change", [{"length": 0.0}, {"wheelbase": -1.0}, {"basket_length": 11.0}])
 def test_wrong_lengths_are_refused(change: dict[str, float]) -> None:
     with pytest.raises(ValueError, match=next(iter(change))):
-        WagonDimensions(**change)
+        replace(wagon_dimensions(vehicle("iore_wagon_loaded")), **change)
 
 
 def test_side_frames_mirror_each_other(shapes: dict[str, trimesh.Trimesh]) -> None:

@@ -1,25 +1,18 @@
-"""Bands of wavelengths, as recording cars and quality limits use them, and the filter that separates them.
+"""Bands of wavelengths, as recording cars and quality limits use them.
 
-The filter is a Butterworth high-pass and a Butterworth low-pass, each of order 4 and run forwards and
-backwards: no phase shift, 48 dB an octave beyond the edges. The edges of the single passes are set so that
-both passes together have -3 dB (half the variance) at the wavelengths asked for.
+The filter is that of `hh_exudyn.signals`: zero phase, -3 dB (half the variance) at both named wavelengths.
 """
 
-import math
-
-import numpy as np
-from scipy.signal import butter, sosfiltfilt
-
+from hh_exudyn import signals
 from hh_exudyn.arrays import FloatArray
 from track.irregularity.spectra import check_wavelengths
 
 D1 = (3.0, 25.0)  # m, EN 13848-1
 D2 = (25.0, 70.0)  # m
-ORDER = 4  # of the Butterworth filters
 
 _LEAST_SAMPLES = 2.5  # a wavelength: beyond, the digital filter's edge would lie at the Nyquist frequency
 _LEAST_LENGTH = 2.0  # longest wavelengths that the signal must be long
-_TWICE = (math.sqrt(2.0) - 1.0) ** (0.5 / ORDER)  # (1 + x^(2 ORDER))^-2 = 1/2: two passes have -3 dB at x
+_PADDED_LENGTH = 2.0  # longest wavelengths by which both ends are continued
 
 
 def band_pass(values: FloatArray, step: float, wavelengths: tuple[float, float]) -> FloatArray:
@@ -52,17 +45,6 @@ def band_pass(values: FloatArray, step: float, wavelengths: tuple[float, float])
             f"length is {length:g} m, for wavelengths up to {longest:g} m allowed is from "
             f"{_LEAST_LENGTH * longest:g} m"
         )
-    high = butter(ORDER, _edge(step / longest, _TWICE), btype="highpass", output="sos")
-    low = butter(ORDER, _edge(step / shortest, 1.0 / _TWICE), btype="lowpass", output="sos")
-    # both ends are continued by their point reflection, over up to two of the longest wavelengths
-    beyond = min(len(values) - 1, round(2.0 * longest / step))
-    passed: FloatArray = sosfiltfilt(np.vstack([high, low]), values, axis=0, padtype="odd", padlen=beyond)
-    return passed
-
-
-def _edge(cycles: float, ratio: float) -> float:
-    """Edge of one pass as part of the Nyquist frequency, from the band's edge in cycles a sample.
-
-    The bilinear transform bends frequencies by the tangent; `ratio` holds before it.
-    """
-    return 2.0 / math.pi * math.atan(ratio * math.tan(math.pi * cycles))
+    return signals.band_pass(
+        values, step, (1.0 / longest, 1.0 / shortest), padding=min(length, _PADDED_LENGTH * longest)
+    )

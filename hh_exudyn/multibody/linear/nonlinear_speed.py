@@ -74,7 +74,7 @@ def nonlinear_critical_speed(
     step: float,
     resolution: float,
     *,
-    told: Callable[[HuntingRun, int], None] | None = None,
+    report: Callable[[HuntingRun, int], None] | None = None,
     progress: Progress | None = None,
 ) -> NonlinearCriticalSpeed:
     """Look for hunting from `high` down to `low` in steps, and halve the step where it dies out.
@@ -83,7 +83,7 @@ def nonlinear_critical_speed(
     ----------
     vehicle : what runs, and on which straight track
     low, high, step, resolution : speeds [m/s]; the result is known to the resolution
-    told : called with every run that is done and the number that may follow at most
+    report : called with every run that is done and the number that may follow at most
     progress : called after every time step
 
     Raises
@@ -105,8 +105,8 @@ def nonlinear_critical_speed(
     def tried(speed: float, cycle: MotionState | None, more: int) -> tuple[bool, MotionState | None]:
         run, end = _hunted(vehicle, speed, cycle, progress)
         runs.append(run)
-        if told is not None:
-            told(run, more)
+        if report is not None:
+            report(run, more)
         return run.hunts, end
 
     hunting, settled = _falling(tried, low, high, step, resolution)

@@ -1,16 +1,17 @@
-"""The lengths that the wagon is drawn from."""
+"""The lengths that the ore wagon is drawn from, all of them read off the vehicle that runs."""
 
 from dataclasses import dataclass, fields
+from typing import TypeVar
 
+from vehicles.couplings import CentrePlate, SideBearer, SpringNest, Wedge
 from vehicles.description import Vehicle
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
 class WagonDimensions:
-    """Lengths of an ore wagon [m]; heights are over the rail tops, springs unloaded.
-
-    The defaults are LKAB's Fanoo wagon: published ones after the thesis' Table 1-1 (Hossein-Nia 2018), the
-    others as `vehicles/data/iore_wagon.toml` assumes them.
+    """Lengths of one unit of an ore wagon [m]; heights are over the rail tops, springs unloaded.
 
     Raises
     ------
@@ -18,21 +19,25 @@ class WagonDimensions:
         A length is not positive (the ore depth may be 0), or a basket longer than the wagon.
     """
 
-    length: float = 10.29  # over the couplers
-    height: float = 3.64
-    basket_width: float = 3.49
-    basket_length: float = 8.9
-    centre_plate_distance: float = 6.77
-    centre_plate_height: float = 0.80
-    wheelbase: float = 1.778
-    wheel_radius: float = 0.4575
-    axle_box_half_spacing: float = 1.0
-    coupler_height: float = 1.06
-    ore_depth: float = 1.8  # 0 for an empty wagon
-    running_circle_distance: float = 0.75  # half the distance of the two running circles
-    car_body_height: float = 2.04  # centres of mass
-    bolster_height: float = 0.67
-    side_frame_height: float = 0.48
+    length: float  # over the couplers
+    height: float
+    basket_width: float
+    basket_length: float
+    ore_depth: float  # 0 for an empty wagon
+    coupler_height: float
+    wheelbase: float  # of a bogie
+    wheel_radius: float
+    centre_plate_distance: float
+    centre_plate_height: float
+    centre_plate_radius: float
+    side_bearer_half_spacing: float
+    spring_nest_half_spacing: float
+    spring_nest_height: float  # of the middle of its coils
+    wedge_half_spacing: float  # of the columns' faces along the bogie
+    wedge_height: float  # of the middle of the columns' faces
+    car_body_height: float  # centres of mass
+    bolster_height: float
+    side_frame_height: float
 
     def __post_init__(self) -> None:
         for field in fields(self):
@@ -43,37 +48,68 @@ class WagonDimensions:
             raise ValueError(f"basket_length {self.basket_length} m must be below length {self.length} m")
 
 
-_BODIES = {"car_body_height": "car_body", "bolster_height": "bolster", "side_frame_height": "side_frame"}
-_OPTIONAL = "running_circle_distance"
+_OUTLINE = ("length", "height", "basket_width", "basket_length", "ore_depth")  # no body or coupling has them
+_BODIES = ("car_body", "bolster", "side_frame")
+_COUPLINGS = (CentrePlate, SideBearer, SpringNest, Wedge)
 
 
 def is_ore_wagon(vehicle: Vehicle) -> bool:
-    """Whether a description has all lengths of an ore wagon, and its kinds of bodies and no others."""
-    return not _missing(vehicle) and {body.kind for body in vehicle.bodies} == {*_BODIES.values(), "wheelset"}
+    """Whether a description has all that an ore wagon has, and its kinds of bodies and no others."""
+    return not _missing(vehicle) and {body.kind for body in vehicle.bodies} == {*_BODIES, "wheelset"}
 
 
 def wagon_dimensions(vehicle: Vehicle) -> WagonDimensions:
-    """The lengths of a described wagon; its units are alike.
+    """The lengths of a described wagon, by its first unit: its units are alike.
+
+    Bodies, wheelsets and couplings give what they have, so that the drawing shows what runs;
+    `Vehicle.dimensions` gives the outline of the car body.
 
     Raises
     ------
     ValueError
-        The description lacks a length, or has no car body, no bolster or no side frame.
+        The description lacks a length of the outline, a kind of body or a kind of coupling.
     """
     if missing := _missing(vehicle):
         raise ValueError(
             f"vehicle {vehicle.name} cannot be drawn as an ore wagon: it lacks {', '.join(missing)}"
         )
-    given = {field.name for field in fields(WagonDimensions)} & set(vehicle.dimensions)
+    unit = vehicle.units[0]
+    plates = [one for one in vehicle.couplings if isinstance(one, CentrePlate)]
+    plates = [one for one in plates if vehicle.unit_of(one.body_b) == unit]
+    bearer, nest = _first(vehicle, SideBearer), _first(vehicle, SpringNest)
+    wedge = _first(vehicle, Wedge)
+    wheelsets = [one for one in vehicle.wheelsets if one.unit == unit]
+    axles = [vehicle.body(one.body).position[0] for one in wheelsets if one.bogie == wheelsets[0].bogie]
+    bolster = vehicle.body(wedge.body_b)
     height = {body.kind: body.position[2] for body in vehicle.bodies}
     return WagonDimensions(
-        **{name: vehicle.dimensions[name] for name in given},
-        **{name: height[kind] for name, kind in _BODIES.items()},
+        **{name: vehicle.dimensions[name] for name in _OUTLINE},
+        coupler_height=vehicle.coupler.points[0][2],
+        wheelbase=max(axles) - min(axles),
+        wheel_radius=wheelsets[0].radius,
+        centre_plate_distance=abs(plates[0].point[0] - plates[-1].point[0]),
+        centre_plate_height=plates[0].point[2],
+        centre_plate_radius=plates[0].radius,
+        side_bearer_half_spacing=abs(bearer.point[1]),
+        spring_nest_half_spacing=abs(nest.point[1]),
+        spring_nest_height=nest.point[2],
+        wedge_half_spacing=abs(wedge.point[0] - bolster.position[0]),
+        wedge_height=wedge.point[2],
+        **{f"{kind}_height": height[kind] for kind in _BODIES},
     )
+
+
+def _first(vehicle: Vehicle, kind: type[T]) -> T:
+    """The first coupling of a kind."""
+    return next(one for one in vehicle.couplings if isinstance(one, kind))
 
 
 def _missing(vehicle: Vehicle) -> list[str]:
     """What a description lacks of an ore wagon's."""
-    wanted = {field.name for field in fields(WagonDimensions)} - set(_BODIES) - {_OPTIONAL}
     kinds = {body.kind for body in vehicle.bodies}
-    return sorted((set(_BODIES.values()) - kinds) | (wanted - set(vehicle.dimensions)))
+    couplings = {type(one) for one in vehicle.couplings}
+    return [
+        *sorted(set(_BODIES) - kinds),
+        *(kind.__name__ for kind in _COUPLINGS if kind not in couplings),
+        *sorted(set(_OUTLINE) - set(vehicle.dimensions)),
+    ]

@@ -172,14 +172,12 @@ def _underframe(size: WagonDimensions) -> list[trimesh.Trimesh]:
             ]
         )
         parts.append(loft(rings, SILL))
-        parts.append(box((x - 0.19, -0.19, plate_top), (x + 0.19, 0.19, plate_top + 0.04), COUPLER))
+        r = size.centre_plate_radius
+        parts.append(box((x - r, -r, plate_top), (x + r, r, plate_top + 0.04), COUPLER))
         for side in (1, -1):  # side bearer, upper part
+            at = side * size.side_bearer_half_spacing
             parts.append(
-                box(
-                    (x - 0.12, side * 0.635 - 0.08, plate_top - 0.03),
-                    (x + 0.12, side * 0.635 + 0.08, plate_top + 0.1),
-                    SILL,
-                )
+                box((x - 0.12, at - 0.08, plate_top - 0.03), (x + 0.12, at + 0.08, plate_top + 0.1), SILL)
             )
     inner = half - 0.5 * size.wheelbase - 0.75
     for x in np.linspace(-inner, inner, 4):  # door beams across

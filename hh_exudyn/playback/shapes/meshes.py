@@ -1,6 +1,7 @@
-"""Meshes from a few moves: loft, turn, plate, box, coil; painted by face, shaded with sharp creases.
+"""Solids that the shapes are made of, painted by face, and their shading with sharp creases.
 
-Everything is a closed `trimesh.Trimesh` with one colour per face, in metres.
+Boxes, cylinders and turned bodies are trimesh's; lofts, plates and coils are made here. Everything is a
+closed `trimesh.Trimesh` with one colour per face, in metres.
 """
 
 from collections.abc import Iterable, Sequence
@@ -13,6 +14,8 @@ from numpy.typing import NDArray
 from hh_exudyn.arrays import FloatArray
 
 Colour = tuple[int, int, int]
+
+_Z_TO_Y = trimesh.transformations.rotation_matrix(-0.5 * np.pi, (1.0, 0.0, 0.0))  # trimesh turns about z
 
 CREASE_ANGLE = np.radians(38.0)  # faces that meet at more than this keep a sharp edge
 
@@ -44,8 +47,8 @@ def joined(meshes: Iterable[trimesh.Trimesh]) -> trimesh.Trimesh:
     )
 
 
-def loft(rings: FloatArray, colour: Colour, *, endless: bool = False) -> trimesh.Trimesh:
-    """The solid through consecutive closed rings of points.
+def loft(rings: FloatArray, colour: Colour) -> trimesh.Trimesh:
+    """The solid through consecutive closed rings of points, both ends closed by a fan.
 
     Parameters
     ----------
@@ -53,37 +56,38 @@ def loft(rings: FloatArray, colour: Colour, *, endless: bool = False) -> trimesh
         (n, m, 3) n rings of m corners each [m]; the last corner joins the first.
     colour
         Of all faces.
-    endless
-        The last ring joins the first (a body of revolution); else both ends are closed by a fan.
     """
     count, corners = rings.shape[:2]
-    ring, corner = np.meshgrid(np.arange(count if endless else count - 1), np.arange(corners), indexing="ij")
-    here = ring * corners
-    there = (ring + 1) % count * corners
+    ring, corner = np.meshgrid(np.arange(count - 1), np.arange(corners), indexing="ij")
+    here, there = ring * corners, (ring + 1) * corners
     following = (corner + 1) % corners
     quads = np.stack([here + corner, there + corner, there + following, here + following], axis=-1)
     quads = quads.reshape(-1, 4)
-    faces = [quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]
-    vertices = [rings.reshape(-1, 3)]
-    if not endless:
-        centre = count * corners
-        vertices += [rings[0].mean(axis=0)[None], rings[-1].mean(axis=0)[None]]
-        edge = np.arange(corners)
-        over = (edge + 1) % corners
-        last = (count - 1) * corners
-        faces.append(np.stack([np.full(corners, centre), edge, over], axis=-1))
-        faces.append(np.stack([np.full(corners, centre + 1), last + over, last + edge], axis=-1))
+    centre = count * corners
+    edge = np.arange(corners)
+    over = (edge + 1) % corners
+    last = (count - 1) * corners
+    faces = [
+        quads[:, [0, 1, 2]],
+        quads[:, [0, 2, 3]],
+        np.stack([np.full(corners, centre), edge, over], axis=-1),
+        np.stack([np.full(corners, centre + 1), last + over, last + edge], axis=-1),
+    ]
+    vertices = [rings.reshape(-1, 3), rings[0].mean(axis=0)[None], rings[-1].mean(axis=0)[None]]
     mesh = trimesh.Trimesh(vertices=np.concatenate(vertices), faces=np.concatenate(faces), process=False)
+    return painted(_outwards(mesh), colour)
+
+
+def _outwards(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
+    """The mesh with faces that look outwards."""
     if mesh.volume < 0.0:
         mesh.faces = mesh.faces[:, ::-1]
-    return painted(mesh, colour)
+    return mesh
 
 
 def box(low: Sequence[float], high: Sequence[float], colour: Colour) -> trimesh.Trimesh:
     """The box between two opposite corners [m]."""
-    (x0, y0, z0), (x1, y1, z1) = low, high
-    square = np.array([[x0, y0], [x1, y0], [x1, y1], [x0, y1]])
-    return loft(np.stack([np.column_stack([square, np.full(4, z)]) for z in (z0, z1)]), colour)
+    return painted(trimesh.creation.box(bounds=(low, high)), colour)
 
 
 def plate(upper: FloatArray, lower: FloatArray, y: tuple[float, float], colour: Colour) -> trimesh.Trimesh:
@@ -109,13 +113,15 @@ def plate(upper: FloatArray, lower: FloatArray, y: tuple[float, float], colour: 
 def bar(start: Sequence[float], end: Sequence[float], width: float, colour: Colour) -> trimesh.Trimesh:
     """A square bar of the given width [m] between two points [m]."""
     first, last = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
-    along = (last - first) / np.linalg.norm(last - first)
+    length = np.linalg.norm(last - first)
+    along = (last - first) / length
     helper = np.array([0.0, 0.0, 1.0]) if abs(along[2]) < 0.9 else np.array([1.0, 0.0, 0.0])
     across = np.cross(along, helper)
     across /= np.linalg.norm(across)
-    upright = np.cross(across, along)
-    square = 0.5 * width * np.array([across + upright, across - upright, -across - upright, upright - across])
-    return loft(np.stack([first + square, last + square]), colour)
+    placed = np.eye(4)
+    placed[:3, :3] = np.column_stack([along, across, np.cross(along, across)])
+    placed[:3, 3] = 0.5 * (first + last)
+    return painted(trimesh.creation.box((length, width, width), placed), colour)
 
 
 def turned(stations: FloatArray, sections: int, colour: Colour) -> trimesh.Trimesh:
@@ -130,26 +136,19 @@ def turned(stations: FloatArray, sections: int, colour: Colour) -> trimesh.Trime
     colour
         Of all faces.
     """
-    return loft(_around_y(stations, sections), colour)
+    ends = stations[[0, -1]] * (1.0, 0.0)  # on the axis
+    return _revolved(np.concatenate([ends[:1], stations, ends[1:]]), sections, colour)
 
 
 def turned_ring(outline: FloatArray, sections: int, colour: Colour) -> trimesh.Trimesh:
     """The closed outline (n, 2) of pairs (y, radius) [m] turned about the y axis; it must not meet it."""
-    return loft(_around_y(outline, sections).transpose(1, 0, 2), colour, endless=True)
+    return _revolved(np.concatenate([outline, outline[:1]]), sections, colour)
 
 
-def _around_y(stations: FloatArray, sections: int) -> FloatArray:
-    """(n, sections, 3) circles about the y axis at the stations (y, radius)."""
-    angle = 2.0 * np.pi * np.arange(sections) / sections
-    y, radius = stations[:, 0], stations[:, 1]
-    return np.stack(
-        [
-            radius[:, None] * np.cos(angle),
-            np.broadcast_to(y[:, None], (len(y), sections)),
-            radius[:, None] * np.sin(angle),
-        ],
-        axis=-1,
-    )
+def _revolved(line: FloatArray, sections: int, colour: Colour) -> trimesh.Trimesh:
+    """A line (n, 2) of pairs (y, radius) turned about the y axis."""
+    mesh = trimesh.creation.revolve(line[:, ::-1], sections=sections, transform=_Z_TO_Y)
+    return painted(_outwards(mesh), colour)
 
 
 def resampled(line: FloatArray, count: int) -> FloatArray:
@@ -164,10 +163,9 @@ def upright_cylinder(
     centre: Sequence[float], radius: float, height: float, sections: int, colour: Colour
 ) -> trimesh.Trimesh:
     """A cylinder standing on `centre` (x, y, z of its bottom) [m]."""
-    angle = 2.0 * np.pi * np.arange(sections) / sections
-    circle = np.column_stack([centre[0] + radius * np.cos(angle), centre[1] + radius * np.sin(angle)])
-    heights = (centre[2], centre[2] + height)
-    return loft(np.stack([np.column_stack([circle, np.full(sections, z)]) for z in heights]), colour)
+    x, y, z = centre
+    ends = ((x, y, z), (x, y, z + height))
+    return painted(trimesh.creation.cylinder(radius, sections=sections, segment=ends), colour)
 
 
 def coil(

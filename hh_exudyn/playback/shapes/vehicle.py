@@ -46,7 +46,7 @@ def vehicle_shapes(vehicle: Vehicle, tread: FloatArray) -> dict[str, trimesh.Tri
 def _journal(vehicle: Vehicle, wheelset: Body) -> float:
     """Half the distance of a wheelset's bearings, where its outermost couplings are [m]."""
     outermost = [abs(point[1]) for name, point in attachments(vehicle) if name == wheelset.name]
-    return vehicle.dimensions.get("axle_box_half_spacing", max(outermost, default=0.0))
+    return max(outermost, default=0.0)
 
 
 def _of_wagon(size: WagonDimensions, body: Body) -> dict[str, trimesh.Trimesh]:

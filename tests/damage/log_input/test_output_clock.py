@@ -12,7 +12,7 @@ from damage.log_input.bad_rows import BadRows
 from damage.log_input.output_clock import OutOfOrder, output_clock, timed_states
 from damage.log_input.states import UNITS, ContactStates, contact_states
 from damage.report import assess
-from hh_exudyn.log.schema import CONTACT
+from hh_exudyn.log.channels import CONTACT
 
 CELLS = (8, 8)
 

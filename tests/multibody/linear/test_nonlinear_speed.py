@@ -36,7 +36,7 @@ def test_linear_contact_dies_out_at_the_linear_critical_speed(wheelset):
     """
     seen = []
     found = nonlinear_critical_speed(
-        wheelset, 60.0, 80.0, 4.0, 2.0, told=lambda run, more: seen.append((run.speed, more))
+        wheelset, 60.0, 80.0, 4.0, 2.0, report=lambda run, more: seen.append((run.speed, more))
     )
     assert (found.hunting, found.settled, found.begins) == (74.0, 72.0, 74.0)
     assert [run.speed for run in found.runs] == [speed for speed, _ in seen]

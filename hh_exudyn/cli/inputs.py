@@ -1,0 +1,99 @@
+"""What the commands take: arguments they have in common, and the refusal of bad ones before any work."""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from hh_exudyn.log.store import Run
+
+FIGURES = (".png", ".pdf", ".svg")
+TABLES = (".csv",)
+RECORDINGS = ()  # of any suffix
+
+RunFolder = Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")]
+CaseFile = Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file.")]
+NewFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="New or empty folder for the run.")]
+NewFigure = Annotated[
+    Path | None,
+    typer.Option("--out", metavar="FIGURE", help="Write a figure to this new file (.png, .pdf, .svg)."),
+]
+
+
+class BadInput(ValueError):
+    """The user's input is not possible; the message is one line that says what is allowed."""
+
+
+@contextmanager
+def refused_as_bad_input() -> Iterator[None]:
+    """Errors of the toolkit that are the input's fault (ValueError, OSError) become `BadInput`."""
+    try:
+        yield
+    except (ValueError, OSError) as error:
+        raise BadInput(str(error)) from None
+
+
+def check_range(option: str, value: float | None, low: float, high: float, unit: str = "") -> None:
+    """Refuse a number out of its range, NaN included; None, an option not given, passes."""
+    if value is not None and not low <= value <= high:
+        behind = f" {unit}" if unit else ""
+        raise BadInput(f"{option} {value:g}{behind}: allowed {low:g} to {high:g}{behind}")
+
+
+def require_new_folder(folder: Path) -> None:
+    """Refuse a folder that holds anything."""
+    try:
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            kind = "is not empty" if folder.is_dir() else "is a file"
+            raise BadInput(f"--out {folder}: {kind}, allowed is a new or an empty folder")
+    except OSError as error:
+        raise BadInput(f"--out {folder}: {error.strerror}") from None
+
+
+def require_new_file(path: Path | None, option: str, suffixes: Sequence[str]) -> None:
+    """Refuse a file that cannot be written as a new one.
+
+    Parameters
+    ----------
+    path
+        The file; None, an option not given, passes.
+    option
+        Its name on the command line, for the message.
+    suffixes
+        Allowed ones (`FIGURES`, `TABLES`); none for any.
+
+    Raises
+    ------
+    BadInput
+        Another suffix, a file that exists, or no folder to write it into.
+    """
+    if path is None:
+        return
+    if suffixes and path.suffix.lower() not in suffixes:
+        raise BadInput(
+            f"{option} {path}: allowed {'is' if len(suffixes) == 1 else 'are'} {', '.join(suffixes)}"
+        )
+    if path.exists():
+        raise BadInput(f"{option} {path}: exists already, allowed is a new file")
+    if not path.parent.is_dir():
+        raise BadInput(f"{option} {path}: there is no folder {path.parent}")
+
+
+def read_run(folder: Path) -> "Run":
+    """The run in a folder, with at least one row in its contact log.
+
+    Raises
+    ------
+    BadInput
+        No run, or a contact log without rows.
+    """
+    from hh_exudyn.log.store import open_run
+
+    with refused_as_bad_input():
+        run = open_run(folder)
+        if run.read("contact", ["time"]).num_rows == 0:
+            raise BadInput(f"{folder}: the contact log has no rows")
+    return run
