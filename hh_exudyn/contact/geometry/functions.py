@@ -59,8 +59,9 @@ def rolling_radius_difference(
 ) -> FloatArray:
     """Rolling radius difference r_left - r_right over the lateral displacement [m], the EN 15302 function.
 
-    Positive at a positive displacement (to the left) steers back. Arguments and errors as
-    `wheelset_functions`; but the default of the roll is 0, as in EN 15302's reference results.
+    Positive at a positive displacement (to the left) steers back. Its eleven arguments and
+    its errors are those of `wheelset_functions`; but the default of the roll is 0, as in EN 15302's
+    reference results.
     """
     return wheelset_functions(
         wheel_left,

@@ -46,7 +46,9 @@ _WEIGHT = 13  # of equation 1: working memory of the search
 LIMIT_LOW = 14  # how far a patch of strips may reach, y on the wheel profile [m]: see `neighbours`
 LIMIT_HIGH = 15
 STIFFNESS = 16  # of its pressure where it is cut, else 0: see `non_elliptic.patch_strips`
-CONTACT_COLUMNS = 17
+FORCE = 17  # normal force [N] and that beyond a cut over its distance [N/m]: working memory of `neighbours`
+BEYOND = 18
+CONTACT_COLUMNS = 19
 
 _MOST_MINIMA = 12  # of one wheel; standard profiles have up to 4
 MAX_MINIMA = _MOST_MINIMA + 6  # rows of the working memory: in the last six, intervals wait for their turn

@@ -31,8 +31,10 @@ import math
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.search import (
     APPROACH,
+    BEYOND,
     CONTACT_ANGLE,
     DEPTH,
+    FORCE,
     LIMIT_HIGH,
     LIMIT_LOW,
     POINT,
@@ -49,8 +51,6 @@ from hh_exudyn.contact.normal.registry import pressure_by_strip
 from hh_exudyn.contact.types import MAX_PATCHES
 from hh_exudyn.kernel import kernel
 
-_FORCE = SADDLE  # columns for the normal force and for that beyond a cut, once the saddles are used up
-_BEYOND = SADDLE_Y
 _LEAST_PART = 1e-9  # of a patch's force that counts as lying beyond a cut
 _SWEEPS = 3  # of the interaction; its error then is below 2 % of itself
 _RELAXATION = 0.7
@@ -116,7 +116,7 @@ def _press_on_each_other(
     compliance = (1.0 - poisson_ratio) / (math.pi * shear_modulus)
     for _ in range(_SWEEPS):
         for k in range(count):
-            contacts[k, STIFFNESS], contacts[k, _BEYOND] = _solve_whole_and_cut(
+            contacts[k, STIFFNESS], contacts[k, BEYOND] = _solve_whole_and_cut(
                 normal,
                 pair,
                 contacts[k],
@@ -128,11 +128,11 @@ def _press_on_each_other(
             )
         for k in range(count):
             row = contacts[k]
-            pressed = -row[_BEYOND]
+            pressed = -row[BEYOND]
             for j in range(count):
                 if j != k:
                     tilt = math.cos(solved[j, CONTACT_ANGLE] - row[CONTACT_ANGLE])
-                    pressed += tilt * solved[j, _FORCE] / _distance(solved[j, POINT:], row[POINT:])
+                    pressed += tilt * solved[j, FORCE] / _distance(solved[j, POINT:], row[POINT:])
             approach = row[DEPTH] * math.cos(row[CONTACT_ANGLE]) - max(0.0, compliance * pressed)
             row[APPROACH] += _RELAXATION * (approach - row[APPROACH])
 
@@ -148,7 +148,7 @@ def _solve_whole_and_cut(
     whole: FloatArray,
     strips: FloatArray,
 ) -> tuple[float, float]:
-    """Solve a patch without and with its limits; the latter is left in the row `own`, its force in `_FORCE`.
+    """Solve a patch without and with its limits; the latter is left in the row `own`, its force in `FORCE`.
 
     Returns
     -------
@@ -160,17 +160,17 @@ def _solve_whole_and_cut(
     low = minimum(normal, pair, contact, shear_modulus, poisson_ratio)
     own[:] = contact
     if pressure_by_strip(normal):
-        own[_FORCE], _, _, _, _ = patch_strips(pair, own, low, 0.0, strips)
+        own[FORCE], _, _, _, _ = patch_strips(pair, own, low, 0.0, strips)
         return 0.0, 0.0
     whole[:] = contact
     whole[LIMIT_LOW], whole[LIMIT_HIGH] = pair.wheel.start, _end(pair)
     force, _, _, _, stiffness = patch_strips(pair, whole, low, 0.0, strips)
-    own[_FORCE], _, _, _, _ = patch_strips(pair, own, low, stiffness, strips)
-    rest = force - own[_FORCE]
+    own[FORCE], _, _, _, _ = patch_strips(pair, own, low, stiffness, strips)
+    rest = force - own[FORCE]
     if not rest > _LEAST_PART * force:
         return stiffness, 0.0
     for axis in range(POINT, POINT + 3):  # centre of pressure of the rest
-        whole[axis] = (force * whole[axis] - own[_FORCE] * own[axis]) / rest
+        whole[axis] = (force * whole[axis] - own[FORCE] * own[axis]) / rest
     return stiffness, rest / _distance(whole[POINT:], contact[POINT:])
 
 
