@@ -19,6 +19,17 @@ def arrays(value: Any) -> list[np.ndarray]:
     return [array for part in value for array in arrays(part)] if isinstance(value, tuple) else []
 
 
+def read_only(value: Any) -> Any:
+    """Nested tuples with read-only copies of their arrays."""
+    if isinstance(value, np.ndarray):
+        value = value.copy()
+        value.flags.writeable = False
+    elif isinstance(value, tuple):
+        parts = [read_only(part) for part in value]
+        value = type(value)._make(parts) if hasattr(value, "_make") else tuple(parts)
+    return value
+
+
 def digest(model: Any) -> str:
     return hashlib.sha256(b"".join(array.tobytes() for array in arrays(model))).hexdigest()
 
@@ -39,7 +50,9 @@ def driven() -> Case:
             "gauge_mm": 1440.0,
         },
     ]
-    return case.with_changes(track={"sections": sections}, steering={"gain": 0.5, "softening": 0.5})
+    grades = [{"length_m": 40.0, "gradient_per_mille": 6.0}]
+    track = {"sections": sections, "grades": grades}
+    return case.with_changes(track=track, steering={"gain": 0.5, "softening": 0.5})
 
 
 @pytest.fixture
@@ -66,12 +79,6 @@ def test_a_run_with_controllers_changes_no_number_of_its_model(driven, models, t
 def test_a_read_only_model_is_enough(driven, monkeypatch, tmp_path):
     """Read-only arrays are types of their own to the compiler, which refuses every kernel that writes."""
 
-    def read_only(*arguments):
-        model = assemble(*arguments)
-        for array in arrays(model):
-            array.flags.writeable = False
-        return model
-
-    monkeypatch.setattr(runner, "assemble", read_only)
+    monkeypatch.setattr(runner, "assemble", lambda *arguments: read_only(assemble(*arguments)))
     run = runner.simulate(driven, tmp_path / "run")
     assert run.status["finished"]
