@@ -8,10 +8,11 @@
 `vehicle`         a vehicle to scale, side and top view, from the description that a run uses
 `hysteresis`      friction loops: force over deflection, with what a cycle takes
 `root_locus`      eigenvalues of a vehicle over its speed, and their damping ratios
-`traction`        a locomotive: drives over time, efforts over speed, variants of steering over the radius
+`traction`        a locomotive: drives over time, efforts over speed, bogies in curves by variant of steering
 `assessment`      quantities of EN 14363 over the track with their limits; test sections against them
 `curving`         angle of attack, place and forces of every wheelset over the radius of the curve
 `wheel_forces`    Q and Y of every wheel: distributions with their ranges, and spectra
+`style`           sizes and colours that the figures have in common
 ================  ======================================================================================
 
 They need no display and compute no physics.

@@ -1,12 +1,15 @@
-"""Rerun recordings of a run, and pictures of them taken without a screen.
+"""Rerun recordings of a run or a mode, and pictures of them taken without a screen.
 
-run          the way in: `record(run, path)` writes a recording, `send` streams one
-viewer       `open_viewer(recording)` shows a recording to a person
-picture      `take(recording, png, time)` draws a picture without a screen
-layout       how the viewer arranges a recording
-send         what is sent, entity by entity
-wheels       the contact log by wheel: plotted quantities, contact frames
-frames       poses relative to frames that single precision can hold
-dimensions, shapes, hopper, track_shapes, meshes
-             the wagon and the track as meshes
+===========  ========================================================================================
+`run`        a run: `record` writes its recording, `send` streams it to a viewer that listens
+`mode`       a mode of a vehicle: its bodies swing about their places on straight track
+`recording`  a recording file, which bears its name only when it is whole
+`layout`     the blueprint: how the viewer arranges a recording
+`send`       the entities of a recording, one function each
+`wheels`     the contact log by wheel: plotted quantities, contact frames
+`frames`     poses relative to frames that single precision can hold
+`shapes`     vehicle and track as meshes
+`viewer`     shows a recording in a window
+`picture`    takes a picture of a recording without a screen
+===========  ========================================================================================
 """
