@@ -32,7 +32,7 @@ def test_tables_and_files(run: Run, tmp_path: Path) -> None:
     assert re.search(r"50\.0 +300\.0 +straight", text)
     assert re.search(r" Q \[kN\] +154\.0 +200\.0 \? +77 +50 +wheel 4[LR]", text)
     assert re.search(r"Y/Q, 2 m \[-\] +0\.06\d +0\.800 +8 ", text)  # no question mark
-    assert "Q [kN]: UIC 518 from memory: min(90 + Q0, 200) kN" in text
+    assert "Q [kN]: published: UIC 518 from memory: min(90 + Q0, 200) kN" in text
     assert "the axle load is above the 25 t" in text
     assert pyarrow.csv.read_csv(tmp_path / "all.csv").num_rows == len(standard_assessment(run).findings)
     assert (tmp_path / "sheet.png").stat().st_size > 10_000

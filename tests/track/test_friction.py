@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from hh_exudyn.contact.friction import friction_at
-from hh_exudyn.contact.tangential.polach import polach_force
+from hh_exudyn.contact.tangential.polach import Contamination, polach_force
+from hh_exudyn.contact.types import RollingPatch
 from track.friction import (
     Falling,
     Friction,
@@ -88,12 +89,11 @@ def test_falling_friction_is_polachs() -> None:
     assert friction_at(table, 0, LEFT, 0.0, 0.0, 1e3) == pytest.approx(0.55 * 0.4)
     for nu_x, nu_y in ((1e-3, 0.0), (0.02, 0.01), (0.3, -0.1)):
         friction = friction_at(table, 0, LEFT, 0.0, 0.0, 15.0 * math.hypot(nu_x, nu_y))
-        built_in = polach_force(
-            6e-3, 5e-3, 1.4e5, nu_x, nu_y, 0.1, 0.55, friction_ratio=0.4, friction_decrease=0.6, speed=15.0
-        )
-        assert polach_force(6e-3, 5e-3, 1.4e5, nu_x, nu_y, 0.1, friction) == pytest.approx(
-            built_in, rel=1e-12
-        )
+        patch = RollingPatch(6e-3, 5e-3, 1.4e5, nu_x, nu_y, 0.1, 0.55, 82e9, 0.28)
+        surface = Contamination(friction_ratio=0.4, friction_decrease=0.6)
+        built_in = polach_force(patch, surface, speed=15.0)
+        constant = polach_force(patch._replace(friction=friction), Contamination())
+        assert constant == pytest.approx(built_in, rel=1e-12)
 
 
 def test_climates_span_the_range_of_the_thesis() -> None:
