@@ -17,7 +17,11 @@ from the logs alone; playback and figures show both. Read in this order:
 `hh_exudyn.playback`           rerun recordings and headless pictures
 `hh_exudyn.figures`            figures of patches, conicity, tracks, vehicles, forces, assessment, curving
 `hh_exudyn.cli`                the command ``hh-exudyn``
-`hh_exudyn.kernel`             the only door to numba; `hh_exudyn.arrays` names array types
+`hh_exudyn.kernel`             the only door to numba
+`hh_exudyn.arrays`             names of array types
+`hh_exudyn.sourced`            numbers with unit, source and kind, from data files
+`hh_exudyn.signals`            filters of forces, accelerations and track
+`hh_exudyn.entry_points`       vehicles, lines and wear laws of other packages
 =============================  ====================================================================
 
 The package itself imports nothing, so that a kernel costs only what it needs.

@@ -40,6 +40,14 @@ def texts(path: Path) -> list[tuple[int, str]]:
     return found
 
 
+def arguments(path: Path) -> set[str]:
+    """Names of arguments of the functions of a file: their attributes are not followed."""
+    nodes = ast.walk(ast.parse(path.read_text()))
+    return {
+        arg.arg for node in nodes if isinstance(node, ast.arguments) for arg in (*node.args, *node.kwonlyargs)
+    }
+
+
 def unnamed_files(path: Path) -> list[str]:
     """Files and folders beside an `__init__` that its docstring does not name."""
     text = ast.get_docstring(ast.parse(path.read_text())) or ""
@@ -61,10 +69,11 @@ def test_every_dotted_name_in_backticks_is_there(modules: dict[str, Path]) -> No
     names = defined_names(modules)
     dead = []
     for module, path in modules.items():
+        others = OTHERS | arguments(path)
         for line, text in texts(path):
             for dotted in DOTTED.findall(text):
                 root = dotted.split(".")[0]
-                known = dotted.endswith(FILES) or root in OTHERS
+                known = dotted.endswith(FILES) or root in others
                 if not known and not resolves(dotted, module, names):
                     dead.append(f"{path.relative_to(ROOT)}:{line}: {dotted}")
     assert dead == []

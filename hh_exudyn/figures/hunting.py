@@ -20,7 +20,7 @@ def hunting_figure(
     Parameters
     ----------
     title : above the figure
-    speeds, amplitudes, from_cycle : of every run [m/s], [m]: `multibody.nonlinear_speed.HuntingRun`
+    speeds, amplitudes, from_cycle : of every run [m/s], [m]: `multibody.linear.nonlinear_speed.HuntingRun`
     settled : amplitude below which hunting has died out [m]
     """
     figure = Figure(figsize=_SIZE, layout="constrained")
