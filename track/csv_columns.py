@@ -1,4 +1,4 @@
-"""Reading tables of numbers whose header names carry their units (``length_m``, ``cant_mm``)."""
+"""CSV tables of numbers with units in the names of their columns (``length_m``, ``cant_mm``)."""
 
 import csv
 import math
@@ -17,7 +17,7 @@ class CsvRow:
     fields: dict[str, str]
 
     def error(self, message: str) -> ValueError:
-        """A ValueError that says where the row stands."""
+        """A ValueError that begins with file and line of the row."""
         return ValueError(f"{self.source}, line {self.line}: {message}")
 
     def number(self, name: str, low: float, high: float) -> float:
@@ -54,10 +54,10 @@ def read_columns(path: str | Path, needed: Collection[str], optional: Collection
         raise ValueError(f"{source}: cannot be read: {error.strerror}") from None
     except UnicodeDecodeError as error:
         raise ValueError(f"{source}: is not a text file in UTF-8: {error.reason}") from None
-    kept = [
+    content = [
         (i, line) for i, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith("#")
     ]
-    rows = [(i, [part.strip() for part in next(csv.reader([line]))]) for i, line in kept]
+    rows = [(i, [part.strip() for part in next(csv.reader([line]))]) for i, line in content]
     if len(rows) < 2:
         raise ValueError(f"{source}: has no rows, a header line and one row or more are needed")
     line, header = rows[0]

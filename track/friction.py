@@ -1,16 +1,16 @@
 """The friction coefficient of a contact: where on the track, where on the wheel, and how fast it slips.
 
-People write `Zones` (a coefficient for tread, gauge corner and flange) for sections of the track, left and
-right, and perhaps a `Falling` characteristic; `Friction.table` makes what the contact reads for every patch
-(`hh_exudyn.contact.friction`). Zones and sections pass smoothly into each other, so that creep forces stay
-continuous.
+The input is `Zones` (a coefficient for tread, gauge corner and flange) for sections of the track, left and
+right, and perhaps a `Falling` characteristic; `Friction.table` is the form that the contact reads for every
+patch (`hh_exudyn.contact.friction`). Zones and sections pass smoothly into each other, so that creep forces
+stay continuous.
 
     >>> dry = climate("cold_dry").treated("flange_lubrication")
     >>> friction = Friction.everywhere(dry, falling=falling("polach_dry"))
     >>> table = friction.table([()] * 4)  # for a wagon
 
-What a vehicle brings with it, as the locomotive its flange lubrication, treats the wheelsets that carry it
-and no other: what they leave on the rail for those behind them is a treatment of the track.
+Treatments that a vehicle carries, such as the flange lubrication of a locomotive, act on the wheelsets that
+carry them and no other; their effect on the rail for the wheelsets behind is a treatment of the track.
 
     >>> table = friction.table([("flange_lubrication",), (), (), (), (), ("flange_lubrication",)])
 
@@ -30,7 +30,7 @@ from hh_exudyn.contact.friction import FrictionTable
 from hh_exudyn.sourced import ParameterSet, load_parameters
 
 ZONES = ("tread", "gauge_corner", "flange")
-_FRICTION = (0.01, 1.0)  # what a case may have
+_FRICTION = (0.01, 1.0)  # allowed range
 
 
 def _check_range(name: str, value: float, unit: str, low: float, high: float) -> None:
@@ -43,7 +43,7 @@ def _check_range(name: str, value: float, unit: str, low: float, high: float) ->
 class Zones:
     """Friction coefficients at rest of the zones of a wheel on its rail [-], 0.01 to 1.
 
-    The zones are told apart by the contact angle: tread below 10 degrees, gauge corner from 20 to 35, flange
+    The contact angle separates the zones: tread below 10 degrees, gauge corner from 20 to 35, flange
     above 55 (``friction.toml``). Raises ValueError for a coefficient out of range.
     """
 
@@ -151,11 +151,11 @@ class Friction:
         return cls((FrictionSection(0.0, zones, zones),), falling)
 
     def table(self, wheelsets: Sequence[tuple[str, ...]]) -> FrictionTable:
-        """What the contact reads, for a vehicle with these wheelsets.
+        """The form that the contact reads, for a vehicle with these wheelsets.
 
         Parameters
         ----------
-        wheelsets : treatments that each wheelset brings with it, mostly none: ``()``
+        wheelsets : treatments that each wheelset carries, mostly none: ``()``
 
         Raises
         ------

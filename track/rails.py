@@ -1,4 +1,4 @@
-"""Which rail profile lies on the left and which on the right of the track, how worn, and at what gauge.
+"""Rail profiles on the left and the right of the track, their wear, and the gauge.
 
 On the iron-ore line the high and the low rail of a curve differ, by country and radius (Hossein-Nia 2018,
 table 1-7). So a curve has a `RailPair` by high and low; `Rails` are the two sides that a wheelset meets;
@@ -6,6 +6,7 @@ table 1-7). So a curve has a `RailPair` by high and low; `Rails` are the two sid
 """
 
 import math
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import pairwise
@@ -17,6 +18,17 @@ from hh_exudyn.contact.profile import RAIL_PROFILES, Profile, rail_profile, read
 
 HANDS = ("left", "right", "straight")
 NEW = "new"  # the wear state of nominal profiles
+
+
+def slope(text: str) -> float:
+    """``"1:30"`` as a number [-].
+
+    Raises ValueError for another form, and outside of 1:15 to 1:100, the inclinations of rails.
+    """
+    match = re.fullmatch(r"1:(\d+(?:\.\d+)?)", text.replace(" ", ""))
+    if match is None or not 15.0 <= float(match[1]) <= 100.0:
+        raise ValueError('allowed "1:15" to "1:100"')
+    return 1.0 / float(match[1])
 
 
 @dataclass(frozen=True)
@@ -60,7 +72,7 @@ class RailPair:
     Parameters
     ----------
     high, low : name or path as in `Rails`; on straight track `high` lies left and `low` right
-    wear : what the pair's profiles show, in the words of who measured them; "new" for nominal profiles
+    wear : name of the wear state, as the measurement calls it; "new" for nominal profiles
     """
 
     high: str
@@ -84,7 +96,7 @@ class RailRule:
     """Where a pair of rails lies: country and radius, from `radius_from` to below `radius_to` [m].
 
     Straight track has the radius infinity, which only a rule with ``radius_from = inf`` reaches.
-    `share` tells pairs apart that lie in the same places [-]; the shares of one place and wear sum to 1.
+    `share` is for several pairs in the same places [-]; the shares of one place and wear sum to 1.
     """
 
     country: str
@@ -94,7 +106,7 @@ class RailRule:
     share: float = 1.0
 
     def holds(self, country: str, radius: float, wear: str) -> bool:
-        """Whether the rule speaks of that place and wear state."""
+        """Whether the rule is for that place and wear state."""
         inside = self.radius_from <= radius < self.radius_to or radius == self.radius_from == math.inf
         return inside and self.country == country and self.pair.wear == wear
 
@@ -102,14 +114,14 @@ class RailRule:
 def rail_pairs(
     rules: Iterable[RailRule], country: str, radius: float, wear: str = NEW
 ) -> tuple[tuple[float, RailPair], ...]:
-    """Which pairs lie in a place, each with its share of the place [-].
+    """The pairs of a place, each with its share of the place [-].
 
     Parameters
     ----------
     rules : of a line
     country : as the rules name it
     radius : of the curve [m], infinity on straight track
-    wear : the wear state asked for
+    wear : wear state
 
     Raises
     ------

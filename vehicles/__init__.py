@@ -1,26 +1,20 @@
 """Vehicles as frozen descriptions: bodies, couplings and parameters with their source. No Exudyn here.
 
-====================  ================================================================================
-`description`         bodies, wheelsets, vehicles: the drawing
-`couplings`           what lies between two bodies: springs, rods, stops, wedges, plates
-`soundness`           what no part of a vehicle may have
-`parameters`          parameter files, in which every number has its unit and its source
-`three_piece_bogie`   bolster, side frames, wheelsets and what couples them
-`wagon`               the LKAB iron-ore wagon, one unit or the pair with drawbar
-`suspended_wheelset`  reference: the smallest model that hunts, with its closed form
-`cooperrider`         reference: Cooperrider's bogie
-`manchester`          reference: vehicle 1 of the Manchester benchmarks
-`locomotive`          LKAB's IORE locomotive: six driven wheelsets with nose-suspended motors
-`traction`            what drives can give; control of speed, slip and over-slip
-`train`               resistance, grades, curves and inertia of what hangs on the rear coupler
-`driver`              the driver: these laws together, from sample to sample
-`steering`            active steering of wheelsets by their axle boxes
-`control`             what a controller may measure and move
-`catalogue`           the vehicles by name
-`variants`            a vehicle with some numbers changed, said in a small file
-`statics`             axle loads of a vehicle at rest
-`stored`              a vehicle as JSON, which every run keeps of its own
-`start`               where a vehicle stands on its track when a run begins
-`force_laws`          two-stage springs, stops, dry friction, wedges: kernels of plain numbers
-====================  ================================================================================
+===============  =====================================================================================
+`models`         the vehicles themselves, one file each, with their records
+`traction`       drives, driver, train and steering: what moves a vehicle along its track
+`description`    bodies, wheelsets, vehicles: the drawing
+`couplings`      what lies between two bodies: springs, rods, stops, wedges, plates
+`soundness`      checks of all numbers of a vehicle: finite, no negative stiffness or clearance
+`force_laws`     two-stage springs, stops, dry friction, wedges: kernels of plain numbers
+`outline`        a box for every body, for drawings
+`record`         the record of a vehicle in the catalogue
+`catalogue`      the vehicles by name, those of other packages among them
+`variants`       a vehicle with some numbers changed by a small file
+`statics`        axle loads of a vehicle at rest
+`start`          place of a vehicle on its track at the beginning of a run
+`stored`         a vehicle as JSON, the copy in every run's folder
+===============  =====================================================================================
+
+The numbers of a vehicle stand with their sources in ``data/<name>.toml`` (`hh_exudyn.sourced`).
 """

@@ -101,7 +101,7 @@ class Wedge:
         N1 cos a = N2 cos t - T sin t,    Fs + N2 sin t + T cos t = N1 sin a
 
     follows N2 = (Fs cos a / cos(a - t) + T) / tan(a - t): the law of a wedge without toe of the slope a - t
-    on a spring that is softer by cos a / cos(a - t). Without toe it is that of sources: vehicles.md 1.3.
+    on a spring that is softer by cos a / cos(a - t).
 
     Raises ValueError where the wedge would jam: tan(slope + ratio atan(slope_friction) - toe) <= friction.
     """
@@ -160,7 +160,7 @@ class Wedge:
             )
 
     def normal_force(self, spring_force: float, motion: int) -> float:
-        """Column force N2 [N] in sliding; motion +1 loading, -1 unloading (sources: vehicles.md 1.3)."""
+        """Column force N2 [N] in sliding; motion +1 loading, -1 unloading (the equations above)."""
         return self.spring_share * spring_force / (self.tan_slope - motion * self.friction)
 
 
@@ -208,7 +208,7 @@ class SideBearer:
 class Bushing:
     """Linear spring and damper in all six directions: rubber element, coil spring, anti-roll bar, damper.
 
-    Rotations are the small ones of B relative to A, so neither body may be a wheelset, whose spin would wind
+    Rotations are the small ones of B relative to A, so neither body may be a wheelset, since spin would wind
     it up: see `AxleBoxPad`. With a `preload` the drawing shows it loaded: (0, 0, weight) for a car body that
     stands on it.
     """

@@ -1,4 +1,4 @@
-"""What a vehicle is made of: bodies, couplings, wheelsets, as frozen values that know nothing of a solver.
+"""A vehicle: bodies, couplings and wheelsets as frozen values, independent of the solver.
 
 Drawing frame of a vehicle: x forward from its middle, y left, z up from the rail tops, all springs
 unloaded. What lies between the bodies: `couplings`.
@@ -30,8 +30,8 @@ class Body:
     mass: float  # [kg]
     inertia: Vector  # about x, y, z through the centre of mass [kg m^2]
     position: Vector  # of the centre of mass on the drawing [m]
-    deflection: float = 0.0  # downwards under load, roughly: where the static equilibrium is looked for [m]
-    held_weight: float | None = None  # what it weighs if it is held from outside, else None [N]
+    deflection: float = 0.0  # downwards under load, roughly: first guess of the equilibrium [m]
+    held_weight: float | None = None  # weight of a body that is held from outside, else None [N]
 
     def __post_init__(self) -> None:
         if self.kind not in BODY_KINDS:
@@ -43,13 +43,13 @@ class Body:
 
     @property
     def weight(self) -> float:
-        """What its couplings or wheels have to carry [N]."""
+        """Load of its couplings or wheels [N]."""
         return self.mass * GRAVITY if self.held_weight is None else self.held_weight
 
 
 @dataclass(frozen=True)
 class Coupler:
-    """The train: it pulls at the coupler heads along the track, and keeps the speed."""
+    """The couplers: the train pulls there along the track and holds the speed."""
 
     bodies: tuple[str, ...]  # of each coupler head
     points: tuple[Vector, ...]  # coupler heads on the drawing [m]
@@ -105,7 +105,7 @@ class Drive:
 
 @dataclass(frozen=True)
 class BrakeShoe:
-    """A shoe that brakes a wheel on its tread; a run says with what force, if any."""
+    """A shoe that brakes a wheel on its tread; the run states its force."""
 
     wheelset: str
     carrier: str  # body that holds the shoe, and takes up its friction
@@ -123,7 +123,7 @@ class Vehicle:
     wheelsets: tuple[Wheelset, ...]
     coupler: Coupler
     dimensions: dict[str, float]  # for drawings: lengths [m] by name
-    contact: GivenContact | None = None  # what a case gets whose theory is "given"
+    contact: GivenContact | None = None  # for cases with the theory "given"
     drives: tuple[Drive, ...] = ()  # from the leading wheelset; without, the train pulls the vehicle
     traction: TractionEquipment | None = None  # of the drives
     shoes: tuple[BrakeShoe, ...] = ()  # of a vehicle braked on its treads
@@ -175,7 +175,7 @@ class Vehicle:
         return tuple(dict.fromkeys(wheelset.unit for wheelset in self.wheelsets))
 
     def unit_of(self, body: str) -> int:
-        """The unit that a body belongs to: the one whose wheelsets' middle is nearest to it."""
+        """The unit of a body: that of the nearest middle of a unit's wheelsets."""
         place = self.body(body).position[0]
 
         def distance(unit: int) -> float:

@@ -100,6 +100,8 @@ def dry_friction(
 ) -> tuple[float, float, float, float]:
     """Two-dimensional Coulomb friction with an elastic spring before the slider and a damper beside both.
 
+    Its eleven arguments are plain numbers because programs outside of the toolkit call it.
+
     Parameters
     ----------
     u, w : displacement of the sliding body [m] (or [rad] with a torque bound)
@@ -215,7 +217,8 @@ def wedge(
         N2 = (Fs + T_v) / tan(a),        |T| <= mu N2,
 
     so that in sliding |T| = mu Fs / (tan(a) - mu T_v/|T|): more when the bolster goes down (T_v > 0) than
-    when it comes up. `tan_slope` must exceed `friction`, else the wedge jams (`description.Wedge` checks).
+    when it comes up. `tan_slope` must exceed `friction`, else the wedge jams, which
+    `vehicles.couplings.Wedge` refuses. Its eleven arguments are those of `dry_friction` and the wedge's own.
 
     Spring, slider and damper of the sticking face are those of `dry_friction`, with this cone for the bound:
     slip comes back to it in the direction of the friction, as Coulomb's law has it, and the damper takes what

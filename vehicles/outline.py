@@ -1,6 +1,6 @@
-"""Where the bodies of a vehicle are on its drawing: a box for each, made from what its description holds.
+"""Boxes of the bodies of a vehicle on its drawing, derived from its description.
 
-What a body looks like is not in its description, so its box is what is known of it: the car body of a vehicle
+A description has no shapes, so the box of a body follows from other numbers: the car body of a vehicle
 that has the lengths of its outline by them; side frames, bolsters, bogie frames and what is held from outside
 by the points where they are coupled; the others as the cuboid of uniform density with their mass and inertia.
 """

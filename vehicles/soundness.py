@@ -1,4 +1,4 @@
-"""What no part of a vehicle may have, whatever it is: a stiffness below zero, a number that is none."""
+"""Checks of all numbers of a vehicle: none is NaN or infinity, no stiffness or clearance is below zero."""
 
 import math
 from collections.abc import Iterable, Iterator
@@ -15,7 +15,7 @@ UNITS = {  # of the fields that end in these words, which are never below zero
 
 
 def require_sound(parts: Iterable[Any]) -> None:
-    """Look at all numbers of bodies, couplings and wheelsets, which are dataclasses.
+    """Check all numbers of bodies, couplings and wheelsets, which are dataclasses.
 
     Raises
     ------

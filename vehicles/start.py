@@ -1,4 +1,4 @@
-"""Where a vehicle stands on its track when a run begins: as far back as its rear coupler head allows."""
+"""Place of a vehicle on its track at the beginning of a run: as far back as its rear coupler head allows."""
 
 from vehicles.description import Vehicle
 

@@ -12,7 +12,7 @@ TOLERANCE = 1e-6  # of the weight: what no vertical forces can hold
 
 
 def axle_loads(vehicle: Vehicle) -> list[float]:
-    """Static vertical forces of the wheelsets on the track [N], in the order of `vehicle.wheelsets`.
+    """Static vertical forces of the wheelsets on the track [N], in the order of `Vehicle.wheelsets`.
 
     Every coupling that can carry weight does so at its point, so that force and pitching moment of every body
     balance. Where the couplings leave that open, the forces with the least sum of squares are taken:

@@ -1,4 +1,4 @@
-"""Variants: a vehicle of the catalogue in which some numbers are others, said in a small TOML file.
+"""Variants: a vehicle of the catalogue with some numbers changed by a small TOML file.
 
     base = "iore_wagon_loaded"      # a name of the catalogue, or another such file beside this one
     description = "wedges worn"     # optional
@@ -54,7 +54,7 @@ class Variant:
         return catalogued(self.base).build(self.name, self.parameters())
 
     def differences(self) -> tuple[Difference, ...]:
-        """What is not as in the base."""
+        """The numbers that differ from the base."""
         return differences(catalogued(self.base).parameters(), self.parameters())
 
     def to_table(self) -> dict[str, Any]:
@@ -75,7 +75,7 @@ def find_variant(source: str | Path) -> Variant:
     Raises
     ------
     ValueError
-        Neither a known name nor a good vehicle file.
+        Neither a known name nor a valid vehicle file.
     """
     if is_vehicle_file(str(source)):
         return read_variant(source)
@@ -108,7 +108,7 @@ def variant_of_table(table: Mapping[str, Any], source: str) -> Variant:
     table : mapping
         As in a vehicle file, and with a name.
     source : str
-        Said to be the source of numbers that have none.
+        Source of the numbers that have none.
 
     Raises
     ------

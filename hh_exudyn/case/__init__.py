@@ -1,4 +1,4 @@
-"""What a run is made from: `Case`, a frozen value that is written to and read from TOML.
+"""The input of a run: `Case`, a frozen value that is written to and read from TOML.
 
 =============  ======================================================================================
 `case`         `Case` itself and `read_case`
@@ -12,7 +12,7 @@
 `train`        draft and brakes of a vehicle in a train
 `line`         cases from the sections of a line
 `numbers`      the sourced numbers that a case rests on
-`fields`       how numbers with units and paths are declared
+`fields`       fields of numbers with units, and of paths
 `errors`       `CaseError`: every fault in one line
 =============  ======================================================================================
 """

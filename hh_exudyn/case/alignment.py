@@ -24,7 +24,7 @@ def _gauge(default: float | None = NOMINAL_GAUGE * 1000) -> Any:
 
 
 class StraightCase(CaseTable):
-    """A straight; where it says nothing of its rails, they are those of the track."""
+    """A straight; the section's rails; the track's where it names none."""
 
     kind: Literal["straight"] = "straight"
     length_m: float = number("m", 1, 100_000)
@@ -64,7 +64,7 @@ class TransitionCase(CaseTable):
         return Transition(length=self.length_m, gauge=gauge, shape=self.shape)
 
     def rails(self, track: Rails) -> None:
-        """None of its own: they change in its middle from one neighbour's to the other's."""
+        """No rails of its own: they change in its middle from one neighbour's to the other's."""
 
     def mirrored(self) -> Self:
         """The same: its neighbours say where it turns to."""
@@ -74,7 +74,7 @@ class TransitionCase(CaseTable):
 class CurveCase(CaseTable):
     """A curve of constant radius; the cant raises its outer rail.
 
-    Where it says nothing of its high (outer) or low rail, it is that of the track.
+    The section's high (outer) and low rail; the track's where it names none.
     """
 
     kind: Literal["curve"] = "curve"
@@ -150,7 +150,7 @@ class RampCase(CaseTable):
         )
 
     def rails(self, track: Rails) -> None:
-        """None of its own, as a transition."""
+        """No rails of its own, as a transition."""
 
     def mirrored(self) -> Self:
         """The ramp to the other side."""

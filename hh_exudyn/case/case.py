@@ -46,7 +46,7 @@ from track.course.alignment import Alignment
 from vehicles.description import Vehicle
 
 _RAILS = ("rail", "rail_left", "rail_right", "rail_high", "rail_low")
-_FILES = ("wheel_profile", "irregularity", *_RAILS)  # keys whose value may be the path of a file
+_FILES = ("wheel_profile", "irregularity", *_RAILS)  # keys that may have the path of a file
 SHORTEST_TRACK_M = 30.0  # a wagon of 10.29 m and some way to run
 
 
@@ -214,12 +214,12 @@ class Case(CaseTable):
         return described(self.vehicle)
 
     def contact_model(self, vehicle: Vehicle | None = None) -> WheelRailModel:
-        """The contact of every wheel of the run, for the run and for whoever solves logged patches again.
+        """The contact of every wheel of the run, for the run and for computations on its logged patches.
 
         Parameters
         ----------
         vehicle : Vehicle or None
-            Whose wheel radius counts; None: the case's own vehicle.
+            The vehicle with its wheel radius; None: the case's own.
 
         Raises
         ------

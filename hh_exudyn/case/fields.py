@@ -1,4 +1,4 @@
-"""What the tables of a case file share: how strict they are, their numbers with unit and range, paths."""
+"""Basis of the tables of a case file: strictness, numbers with unit and range, paths."""
 
 from pathlib import Path
 from typing import Any

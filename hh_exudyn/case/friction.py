@@ -34,7 +34,7 @@ _WHEELSETS = "a list of whole numbers, 1 the leading wheelset"
 class SurfaceCase(CaseTable):
     """Friction of a surface: a climate, or a coefficient each of tread, gauge corner and flange; treatments.
 
-    What a table leaves out it takes from the one around it. Climates and treatments: `track.friction.known`.
+    Keys that are left out are those of the table around it. Climates and treatments: `track.friction.known`.
     """
 
     climate: str | None = None
@@ -68,7 +68,7 @@ class SurfaceCase(CaseTable):
         return self
 
     def untreated(self) -> Zones | None:
-        """What the table itself says of the untreated surface, None if nothing."""
+        """The table's own untreated surface; None where it states none."""
         if self.climate is not None:
             return climate(self.climate)
         if self.tread is None or self.gauge_corner is None or self.flange is None:
@@ -163,7 +163,7 @@ class FrictionCase(BothRailsCase):
         )
 
     def table(self, wheelsets: int) -> FrictionTable:
-        """What the contact of a vehicle with that many wheelsets reads.
+        """The form that the contact of a vehicle with that many wheelsets reads.
 
         Raises
         ------
@@ -181,7 +181,7 @@ class FrictionCase(BothRailsCase):
 
 
 def _zones(tables: Iterable[SurfaceCase | None]) -> Zones:
-    """Friction of one rail: what the first of these tables says that says something."""
+    """Friction of one rail: that of the first table that states any."""
     said = [table for table in tables if table is not None]
     zones = next((zones for table in said if (zones := table.untreated()) is not None), None)
     if zones is None:

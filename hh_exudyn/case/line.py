@@ -18,7 +18,7 @@ from track.line.line import TrackSection
 
 
 def track_table(section: TrackSection, *, length: float = 200.0, approach: float = 50.0) -> dict[str, Any]:
-    """The ``[track]`` keys that a section of a line knows of, for `Case.with_changes`.
+    """The ``[track]`` keys that follow from a section of a line, for `Case.with_changes`.
 
     A curve is entered from a straight over its transition; the straight has the line's gauge of straight
     track and the rails that the case has of its own.
@@ -56,7 +56,7 @@ def track_table(section: TrackSection, *, length: float = 200.0, approach: float
 
 
 def section_name(section: TrackSection) -> str:
-    """What tells a section from the others of its line, fit for a file name."""
+    """A name of a section, unique in its line and fit for a file name."""
     parts = (
         section.country,
         section.name.replace(":", "-"),

@@ -1,6 +1,5 @@
 """The table ``[track]`` of a case file: rails, foundation, irregularities, alignment."""
 
-import re
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any, Self
@@ -18,7 +17,7 @@ from track.course.alignment_csv import read_alignment_csv
 from track.irregularity.irregularity import Irregularity, random_irregularity
 from track.irregularity.irregularity_csv import read_irregularity
 from track.irregularity.spectra import spectrum_names
-from track.rails import Rails, RailsAlong, RailSection
+from track.rails import Rails, RailsAlong, RailSection, slope
 from track.support.sleepers import sleeper_track
 
 LONGEST_WAVELENGTH = 70.0  # m, of random irregularities
@@ -41,7 +40,7 @@ class TrackCase(CaseTable):
     `irregularity` is ``"none"``, a spectrum (`track.irregularity.spectra.spectrum_names`) of which
     `irregularity_seed` draws a random track with wavelengths from `irregularity_shortest_m` to 70 m, or a
     measured file (`track.irregularity.irregularity_csv`). It begins ahead of the vehicle, faded in over 50
-    m. Without `sleeper_passing` flexible track is alike on and between its sleepers.
+    m. Without `sleeper_passing` flexible track has constant stiffness along the track.
     """
 
     rail: RailName = "60E1"
@@ -100,8 +99,11 @@ class TrackCase(CaseTable):
     @field_validator("inclination")
     @classmethod
     def _check_inclination(cls, value: str | float) -> str | float:
-        slope = _slope(value)
-        if not (slope == 0.0 or 1 / 100 <= slope <= 1 / 15):
+        try:
+            found = slope(value) if isinstance(value, str) else value
+        except ValueError as error:
+            raise ValueError(f"{error}, or 0 for an upright rail") from None
+        if not (found == 0.0 or 1 / 100 <= found <= 1 / 15):
             raise ValueError('allowed "1:15" to "1:100", or 0 for an upright rail')
         return value
 
@@ -135,7 +137,7 @@ class TrackCase(CaseTable):
         Raises
         ------
         ValueError
-            Sections or grades that do not follow each other, a faulty file, points that are no railway.
+            Sections or grades that do not follow each other, a faulty file, points of no railway.
         """
         if self.alignment is not None:
             found = read_alignment_csv(self.alignment)
@@ -191,7 +193,7 @@ class TrackCase(CaseTable):
     @property
     def rail_inclination(self) -> float:
         """Inclination of the rails towards the track centre as a slope [-], e.g. 1/30."""
-        return _slope(self.inclination)
+        return slope(self.inclination) if isinstance(self.inclination, str) else float(self.inclination)
 
     @property
     def flexible(self) -> bool:
@@ -234,13 +236,3 @@ def _measured(path: str) -> Irregularity:
         return read_irregularity(path)
     except OSError as error:
         raise ValueError(f"cannot be read: {error.strerror}") from None
-
-
-def _slope(value: str | float) -> float:
-    """``"1:30"`` or a number as a slope [-]."""
-    if not isinstance(value, str):
-        return float(value)
-    match = re.fullmatch(r"1:(\d+(?:\.\d+)?)", value.replace(" ", ""))
-    if match is None or float(match[1]) == 0.0:
-        raise ValueError('allowed "1:15" to "1:100", or 0 for an upright rail')
-    return 1.0 / float(match[1])

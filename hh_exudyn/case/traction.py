@@ -25,7 +25,7 @@ _Course = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 
 
 class TractionCase(CaseTable):
-    """What the driver is told, and what hangs on the coupler. Defaults: the ore train of the thesis.
+    """Orders to the driver, and the train on the coupler. Defaults: the ore train of the thesis.
 
     `units` locomotives share the effort; the first one is simulated, the others are masses of the train with
     an effort of their own. `set_speed_km_h` is the case's speed where it is not given. `braking_limit_kN`

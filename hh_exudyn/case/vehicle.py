@@ -8,7 +8,7 @@ in place::
     wedge = { friction = 0.35 }
 
 Either way the `Case` keeps the numbers, not the file: what is changed in it later does not change the case,
-nor the runs made from it, whose ``case.toml`` has the table.
+nor its runs: their ``case.toml`` has the table.
 """
 
 from collections.abc import Mapping
@@ -43,7 +43,7 @@ class VehicleCase(CaseTable):
     @model_validator(mode="before")
     @classmethod
     def _resolve(cls, data: Any) -> Any:
-        """A base that is a file, and numbers without unit and source, become what they stand for."""
+        """A base that is a file, and numbers without unit and source, become a full table."""
         if not isinstance(data, Mapping):
             return data
         named = {"name": "variant", **data}

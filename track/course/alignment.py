@@ -1,15 +1,15 @@
 """The alignment: straights, transitions, curves and grades, and the kernel table of the track frame.
 
-People write sections in plan (`Straight`, `Transition`, `Curve`, `Ramp`) and, beside them, the vertical
+The input is sections in plan (`Straight`, `Transition`, `Curve`, `Ramp`) and, beside them, the vertical
 profile (`Grade`); `Alignment` checks them and builds the table that the kernels `inclined_frame` and
 `inclined_locate` read. The centre line starts at s = 0 in the origin of the global frame, heading along +X.
 
-What is continuous: position, heading, curvature, cant, gauge and gradient, AND the rates of the latter four.
+Continuous are position, heading, curvature, cant, gauge and gradient, AND the rates of the latter four.
 The kinks that sections leave (both ends of a clothoid, of a cant ramp, of a vertical curve) are blended over
 `blend` metres to both sides, so that what lies behind stays where it was (`track.course.course` has the
 formula). Curvature, cant or gauge that jump from section to section are errors, not blended.
 
-What holds outside the sections: before s = 0 and behind the end the track goes on with the curvature, cant,
+Outside the sections: before s = 0 and behind the end the track goes on with the curvature, cant,
 gauge and gradient it has there (`lead_in` and `run_out` metres, since the rear of a vehicle stands at s < 0),
 so an alignment of one `Curve` is a full circle. A `Transition` at the start or the end joins a straight
 without cant. Beyond lead-in and run-out there is no track: the kernels return NaN.

@@ -57,7 +57,7 @@ def read_alignment_csv(path: str | Path, step: float = 0.5, blend: float = 0.5) 
     ------
     ValueError
         Unknown or missing columns, fields that are empty, no numbers or out of range, cant without curve,
-        gaps or overlaps, values whose size says that they stand in another unit: with line, name, value and
+        gaps or overlaps, values of the size of another unit: with line, name, value and
         what is allowed.
     """
     rows = read_columns(path, ("length_m",), _OPTIONAL)

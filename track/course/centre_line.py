@@ -276,7 +276,7 @@ def _along(
 
 
 def _first_chain(points: FloatArray, s: FloatArray, h: float, m: int) -> FloatArray:
-    """Chain whose knots lie on the chords of the points; behind the last point it goes straight on."""
+    """Chain with its knots on the chords of the points; behind the last point it goes straight on."""
     at = h * np.arange(m)
     x, y = (np.interp(at, s, points[:, k]) for k in range(2))
     inside = int(np.searchsorted(at, s[-1], side="right"))

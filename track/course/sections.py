@@ -1,6 +1,6 @@
-"""What people write: sections in plan (`Straight`, `Transition`, `Curve`, `Ramp`) and the `Grade`.
+"""Sections of an alignment in plan (`Straight`, `Transition`, `Curve`, `Ramp`) and the `Grade`.
 
-Every one checks its own numbers; that they follow each other without a jump is checked in
+Each checks its own numbers; jumps from one to the next are refused in
 `track.course.course`.
 """
 
@@ -10,7 +10,7 @@ from hh_exudyn.conventions import LEFT, NOMINAL_GAUGE, RIGHT
 
 HANDS = {"left": LEFT, "right": RIGHT}
 SHAPES = ("clothoid", "helmert", "bloss", "cosine")
-LENGTH = (1e-3, 1e6)  # m, ranges of what a person may write
+LENGTH = (1e-3, 1e6)  # m, allowed ranges
 RADIUS = (100.0, 20000.0)  # m
 CURVATURE = (-1.0 / RADIUS[0], 1.0 / RADIUS[0])  # 1/m
 CANT = (0.0, 0.180)  # m, EN 13803:2017 allows 180 mm as exceptional limit

@@ -1,4 +1,4 @@
-"""What enters the alignment kernels: the table of nodes and its columns."""
+"""The alignment as the kernels take it: the table of nodes and its columns."""
 
 from enum import IntEnum
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""How even the track is.
+"""Deviations of the track from its alignment, and classes of track quality.
 
 ===================  ================================================================================
 `irregularity`       level, alignment, gauge, cross-level: signs, random tracks, scaling

@@ -20,13 +20,13 @@ Appl. Mech. Rev. 44(4), 1991, 191-204):
 
     f(s) = sum_k sqrt(2 S(O_k) dO) cos(O_k s + phi_k),   O_k = k dO,   dO = 2 pi / length          (1)
 
-over wavelengths within the wanted band, 3 to 70 m unless told otherwise (bands D1 and D2 of EN 13848-1: what
-recording cars give and UIC 518 judges). At 60 km/h 3 m is a frequency of 5.6 Hz: who wants forces up to 20 Hz
-asks for wavelengths down to 0.8 m. The standard deviation over the whole length is that of the spectrum,
-whatever the seed; it repeats after `length`. The phases come straight from the bits of PCG64, whose stream
-numpy guarantees, so a seed means the same track on every machine (to rounding). Another sampling step samples
-the same track, another length is another track, and "erri_low" and "erri_high" of one seed and length have
-their waves in the same places, since these spectra differ by scale alone.
+over wavelengths within a band, by default 3 to 70 m (bands D1 and D2 of EN 13848-1, those of recording cars
+and of UIC 518). At 60 km/h 3 m is a frequency of 5.6 Hz; forces up to 20 Hz need wavelengths down to 0.8 m.
+The standard deviation over the whole length is that of the spectrum for every seed; the track repeats after
+`length`. The phases come straight from the bits of PCG64, a stream that numpy guarantees, so a seed means the
+same track on every machine (to rounding). Another sampling step samples the same track, another length is
+another track, and "erri_low" and "erri_high" of one seed and length have their waves in the same places,
+since these spectra differ by scale alone.
 """
 
 import math
@@ -76,7 +76,7 @@ class Irregularity:
     values : (n, 4) array
         Level, alignment, gauge and cross-level [m], the order of `SIGNALS`.
     shortest : float
-        Shortest wavelength that it holds [m]; None, the default, where nobody said: `POINTS_PER_WAVELENGTH`
+        Shortest wavelength that it holds [m]; None, the default, stands for `POINTS_PER_WAVELENGTH`
         samples.
 
     Raises

@@ -6,7 +6,7 @@ A header line may name the columns (``position, level, alignment, gauge, cross_l
 Signs are those of `track.irregularity.irregularity`; `signs` turns those of a car that has others. Gauge is
 the deviation from nominal.
 
-Nothing is repaired: gaps, missing values, other units and uneven spacing are errors that say where.
+Nothing is repaired: gaps, missing values, other units and uneven spacing are errors with line and column.
 """
 
 import re

@@ -87,7 +87,7 @@ class TrackQuality:
         return {str(name): _shares(self.classes[names == name]) for name in dict.fromkeys(groups)}
 
     def unmet(self) -> tuple[str, ...]:
-        """Classes whose share is not as UIC 518 recommends: QN1 > 50 %, QN2 < 40 %, QN3 < 10 %, no worse."""
+        """Classes in shares that UIC 518 does not recommend: QN1 > 50 %, QN2 < 40 %, QN3 < 10 %, no worse."""
         share = self.distribution()
         met = {
             "QN1": share["QN1"] > 0.5,

@@ -159,7 +159,7 @@ class Spectrum:
 
     @property
     def unconfirmed(self) -> tuple[str, ...]:
-        """Numbers from memory or second hand, and signals whose formula is."""
+        """Numbers that are not confirmed, and signals with an unconfirmed formula."""
         doubtful = (item.name for item in self.numbers.parameters if not item.confirmed)
         return (*doubtful, *self.form.unconfirmed)
 

@@ -15,7 +15,7 @@ from hh_exudyn.sourced import KINDS, kind_of
 
 
 class DataTable:
-    """One table of a data file. Keys are asked for one by one; `close` complains of those never asked for.
+    """One table of a data file. Keys are read one by one; `close` refuses those never read.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ class DataTable:
         if not isinstance(entries, dict):
             raise self.error(f"{place} = {entries!r}: allowed a table")
         self.entries: dict[str, Any] = entries
-        self._asked: set[str] = set()
+        self._read: set[str] = set()
 
     def error(self, text: str) -> ValueError:
         """A ValueError that starts with the name of the file."""
@@ -44,9 +44,9 @@ class DataTable:
         return name in self.entries
 
     def _get(self, name: str, allowed: str) -> Any:
-        self._asked.add(name)
+        self._read.add(name)
         if name not in self.entries:
-            near = difflib.get_close_matches(name, set(self.entries) - self._asked, n=1)
+            near = difflib.get_close_matches(name, set(self.entries) - self._read, n=1)
             hint = f"; is it {self.key(near[0])}?" if near else ""
             raise self.error(f"{self.key(name)} is missing: allowed {allowed}{hint}")
         return self.entries[name]
@@ -112,11 +112,11 @@ class DataTable:
         return [DataTable(x, self.file, f"{self.key(name)}[{i}]") for i, x in enumerate(value)]
 
     def close(self) -> None:
-        """Raise ValueError for the first key that nobody asked for."""
+        """Raise ValueError for the first key that was not read."""
         for name in self.entries:
-            if name not in self._asked:
-                near = difflib.get_close_matches(name, self._asked, n=1)
-                hint = f"did you mean {near[0]}?" if near else f"known keys: {', '.join(sorted(self._asked))}"
+            if name not in self._read:
+                near = difflib.get_close_matches(name, self._read, n=1)
+                hint = f"did you mean {near[0]}?" if near else f"known keys: {', '.join(sorted(self._read))}"
                 raise self.error(f"unknown key {self.key(name)}; {hint}")
 
 

@@ -1,8 +1,8 @@
 """A line as a set of representative track sections with weights: what a load collective is made of.
 
-A line's file (TOML, `read_line`) holds statistics: curve classes with their shares, radii and cants by hand,
-countries, rails, gauge, quality, speeds. `load_sections` crosses them into `TrackSection` values, each with
-its weight, the share of the line that it stands for:
+The file of a line (TOML, `read_line`) holds statistics: curve classes with their shares, radii and cants by
+hand, countries, rails, gauge, quality, speeds. `load_sections` crosses them into `TrackSection` values, each
+with its weight, the share of the line that it stands for:
 
     >>> for section in load_sections(read_line("malmbanan"), "iore_wagon_loaded"):
     ...     run(section.alignment(), section.rails, section.speed, section.quality, section.weight)
@@ -86,7 +86,7 @@ def load_sections(
     Parameters
     ----------
     line : from `read_line`
-    vehicle : whose speed rule holds, a name of ``[speed_km_h]`` in the line's file
+    vehicle : a name of ``[speed_km_h]`` in the line's file
     quality : one of `CLASSES` for all sections instead of the distributions of the line: fewer sections
     wear : wear state of the rails, "new" for the nominal profiles
     returning : the line run the other way, where left-hand curves are right-hand ones

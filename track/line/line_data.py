@@ -1,4 +1,4 @@
-"""What is known of a line as a whole: the statistics that `track.line.line_file` reads. SI units."""
+"""Statistics of a line, as `track.line.line_file` reads them. SI units."""
 
 from dataclasses import dataclass
 
@@ -32,7 +32,7 @@ class SpeedRule:
 
 @dataclass(frozen=True)
 class TransitionRule:
-    """How long transitions are: cant times `cant_ramp` (a ramp of 1 : cant_ramp), `shortest` at least [m]."""
+    """Length of transitions: cant times `cant_ramp` (a ramp of 1 : cant_ramp), `shortest` at least [m]."""
 
     cant_ramp: float
     shortest: float
@@ -63,5 +63,5 @@ class Line:
     sources: dict[str, str]  # table of the file: "published: ...", "derived: ..." or "assumed: ..."
 
     def assumed(self) -> tuple[str, ...]:
-        """The tables of the line's file that hold guesses."""
+        """The tables of the line's file with assumed numbers."""
         return tuple(table for table, source in self.sources.items() if source.startswith("assumed"))

@@ -1,11 +1,10 @@
-"""Reads the file of a line and checks that it makes one: shares sum up, classes do not overlap, rails lie.
+"""The known lines, and the reader of a line's file: shares sum up, classes do not overlap, rails everywhere.
 
 The tables and keys are those of ``track/data/malmbanan.toml``; ``rails`` may name measured profiles by a path
 relative to the file, with a ``wear`` of their own.
 """
 
 import math
-import re
 from dataclasses import dataclass
 from importlib.resources import files
 from importlib.resources.abc import Traversable
@@ -16,7 +15,7 @@ from hh_exudyn.entry_points import entries_of, loaded
 from track.irregularity.quality import CLASSES
 from track.line.data_table import DataTable, read_data
 from track.line.line_data import Line, SpeedRule, TrackClass, TransitionRule
-from track.rails import NEW, GaugeRule, RailPair, RailRule, known_rail, rail_pairs
+from track.rails import NEW, GaugeRule, RailPair, RailRule, known_rail, rail_pairs, slope
 
 GROUP = "hh_exudyn.lines"  # of the entry points
 
@@ -72,7 +71,7 @@ def read_line(path_or_name: str | Path) -> Line:
     ValueError
         One line: neither file nor known name; not TOML; a key that is missing, unknown or out of range (with
         key, value, unit, allowed); shares that do not sum to 100 %, classes that overlap, places without
-        rails, countries whose lengths and classes disagree.
+        rails, lengths of countries that disagree with their classes.
     """
     name, path = str(path_or_name), Path(path_or_name)
     own = isinstance(path_or_name, str) and name in LINES
@@ -84,11 +83,11 @@ def _line(file: DataTable, folder: Path) -> Line:
     """The line of a whole file; relative paths of rails start at `folder`."""
     sources: _Sources = {}
     name = file.text("name")
-    length = _opened(file.table("length"), sources)
+    length = _with_source(file.table("length"), sources)
     speed = _speed(file, sources)
-    ramp = _opened(file.table("transition"), sources)
-    gauge = _opened(file.table("gauge"), sources)
-    inclination = _opened(file.table("rail_inclination"), sources)
+    ramp = _with_source(file.table("transition"), sources)
+    gauge = _with_source(file.table("gauge"), sources)
+    inclination = _with_source(file.table("rail_inclination"), sources)
     countries = _country_lengths(file, sources)
     line = Line(
         name=name,
@@ -111,7 +110,7 @@ def _line(file: DataTable, folder: Path) -> Line:
     return line
 
 
-def _opened(table: DataTable, sources: _Sources) -> DataTable:
+def _with_source(table: DataTable, sources: _Sources) -> DataTable:
     """The table, its source noted."""
     sources[table.place] = table.source()
     return table
@@ -119,12 +118,12 @@ def _opened(table: DataTable, sources: _Sources) -> DataTable:
 
 def _speed(file: DataTable, sources: _Sources) -> SpeedRule:
     """Largest speeds of the vehicles, and what cant deficiency allows."""
-    vehicles = _opened(file.table("speed_km_h"), sources)
+    vehicles = _with_source(file.table("speed_km_h"), sources)
     names = [key for key in vehicles.entries if key != "source"]
     if not names:
         raise file.error("speed_km_h has no vehicle: allowed one or more names with 5 to 130 km/h")
     largest = {key: vehicles.number(key, "km/h", 5.0, 130.0) / 3.6 for key in names}
-    curve = _opened(file.table("curve_speed"), sources)
+    curve = _with_source(file.table("curve_speed"), sources)
     rule = SpeedRule(
         largest,
         1e-3 * curve.number("largest_cant_deficiency_mm", "mm", 0.0, 300.0),
@@ -147,10 +146,10 @@ def _gauge(table: DataTable) -> GaugeRule:
 def _slope(table: DataTable) -> float:
     """``slope = "1:30"`` as a number [-]."""
     text = table.text("slope")
-    match = re.fullmatch(r"1:(\d+(?:\.\d+)?)", text)
-    if match is None or not 15.0 <= float(match[1]) <= 100.0:
-        raise table.error(f'{table.key("slope")} = {text!r}: allowed "1:15" to "1:100"')
-    return 1.0 / float(match[1])
+    try:
+        return slope(text)
+    except ValueError as error:
+        raise table.error(f"{table.key('slope')} = {text!r}: {error}") from None
 
 
 def _country_lengths(file: DataTable, sources: _Sources) -> dict[str, float]:
@@ -158,7 +157,7 @@ def _country_lengths(file: DataTable, sources: _Sources) -> dict[str, float]:
     group = file.table("country")
     found = {}
     for name in group.entries:
-        table = _opened(group.table(name), sources)
+        table = _with_source(group.table(name), sources)
         found[name] = 1e3 * table.number("length_km", "km", 0.0, 1e5)
         table.close()
     if not math.fsum(found.values()) > 0.0:
@@ -177,8 +176,8 @@ def _classes(file: DataTable, countries: dict[str, float], sources: _Sources) ->
             raise file.error(
                 f"curve.{_STRAIGHT}: allowed names of curve classes; straight track is [straight]"
             )
-        table = _opened(group.table(name), sources)
-        quality = _opened(qualities.table(name), sources)
+        table = _with_source(group.table(name), sources)
+        quality = _with_source(qualities.table(name), sources)
         low, high = table.numbers("interval_m", "m", 0.0, _RADIUS[1], 2)
         intervals.append((low, high, name))
         hands = [table.table(key) for key in ("share_percent", "radius_m", "cant_mm")]
@@ -200,8 +199,8 @@ def _classes(file: DataTable, countries: dict[str, float], sources: _Sources) ->
                 f"curve.{other[2]}.interval_m starts at {other[0]:g} m inside that of curve.{one[2]}: "
                 f"allowed from {one[1]:g} m on"
             )
-    straight = _opened(file.table(_STRAIGHT), sources)
-    quality = _opened(qualities.table(_STRAIGHT), sources)
+    straight = _with_source(file.table(_STRAIGHT), sources)
+    quality = _with_source(qualities.table(_STRAIGHT), sources)
     share = straight.number("share_percent", "%", 0.0, 100.0) / 100.0
     countries_of_it = _split(splits, math.inf, straight)
     found.append(
@@ -221,7 +220,7 @@ def _splits(file: DataTable, countries: dict[str, float], sources: _Sources) -> 
     """How tracks of some radii are split among the countries."""
     found = []
     for table in file.tables("country_split"):
-        _opened(table, sources)
+        _with_source(table, sources)
         low, high = table.numbers("radius_m", "m", 0.0, math.inf, 2)
         shares = table.mapping("percent", "%", 0.0, 100.0)
         unknown = sorted(set(shares) - set(countries))
@@ -235,7 +234,7 @@ def _splits(file: DataTable, countries: dict[str, float], sources: _Sources) -> 
 
 
 def _split(splits: list[_Split], radius: float, owner: DataTable) -> dict[str, float]:
-    """The split that speaks of a radius; the one up to infinity holds for straight track too."""
+    """The split of a radius; the one up to infinity holds for straight track too."""
     for low, high, shares in splits:
         if low <= radius < high or (math.isinf(radius) and math.isinf(high)):
             return shares
@@ -261,7 +260,7 @@ def _line_quality(file: DataTable, sources: _Sources) -> _Quality | None:
     """The whole line's distribution, if there is one."""
     if "line_quality" not in file:
         return None
-    table = _opened(file.table("line_quality"), sources)
+    table = _with_source(file.table("line_quality"), sources)
     found = _distribution(table, "percent")
     table.close()
     return found
@@ -273,7 +272,7 @@ def _rails(
     """Which rails lie where."""
     found = []
     for table in file.tables("rails"):
-        _opened(table, sources)
+        _with_source(table, sources)
         country = table.text("country", tuple(sorted(countries)))
         low, high = table.numbers("radius_m", "m", 0.0, math.inf, 2)
         share = table.number("share_percent", "%", 0.0, 100.0) / 100.0 if "share_percent" in table else 1.0
@@ -290,7 +289,7 @@ def _rails(
 
 
 def _check_whole(line: Line, file: DataTable) -> None:
-    """What no table alone can show: the sum of the shares, the countries' lengths, rails everywhere."""
+    """Checks across tables: the sum of the shares, the countries' lengths, rails everywhere."""
     total = 100.0 * math.fsum(part.share for part in line.classes)
     if abs(total - 100.0) > 0.05:
         raise file.error(f"share_percent of all curves and the straight sum to {total:g} %: allowed 100 %")

@@ -7,6 +7,7 @@ from typing import Any
 from hh_exudyn.sourced import Parameter, made
 from track.line.data_table import read_data
 from track.line.line_file import line_record
+from track.rails import slope
 
 _UNITS = {"km_h": "km/h", "km": "km", "mm": "mm", "m": "m", "percent": "%"}  # by the end of a key
 
@@ -29,7 +30,7 @@ def _numbers(place: str, value: Any, source: str, unit: str) -> Iterator[Paramet
     elif isinstance(value, list):
         for i, inner in enumerate(value):
             yield from _numbers(f"{place}[{i}]", inner, source, unit)
-    elif isinstance(value, str) and (slope := re.fullmatch(r"1:(\d+(?:\.\d+)?)", value)):
-        yield made(place, value=1.0 / float(slope[1]), unit="-", source=source)
+    elif isinstance(value, str) and value.startswith("1:"):
+        yield made(place, value=slope(value), unit="-", source=source)
     elif isinstance(value, int | float) and value != float("inf"):
         yield made(place, value=value, unit=unit, source=source)

@@ -1,4 +1,4 @@
-"""What gives way under a wheelset.
+"""Flexibility of the track under a wheelset.
 
 ==============  =====================================================================================
 `sleepers`      parameter sets of tracks on sleepers, exact receptance of their rails

@@ -52,7 +52,7 @@ LEAST_RAIL_MASS = 150.0  # kg, on contact springs of 1.7 GN/m: stable up to step
 LARGEST_RATE = 1000.0  # 1/s, pad damping over rail mass at most, far from the 6,000 that 0.4 ms would allow
 _CASES: tuple[Loading, Loading] = ("alike", "opposite")
 _FREQUENCIES = np.linspace(5.0, VALID_TO, 7)
-_PULL = 0.02  # relative error of the receptance that a factor e off the guess is worth
+_PULL = 0.02  # relative error of the receptance that weighs as much as a factor e off the guess
 
 _ComplexArray = NDArray[np.complexfloating[Any, Any]]
 
@@ -172,8 +172,8 @@ def _fit(
     """Rail mass, and what `guess` stands for, of least relative error against the rail on sleepers.
 
     `guess` is a pad's damper, then any order of masses and dampers. The unknowns are logarithms of the ratio
-    to the guess, in bounds of 1/2 and 4, and a weak pull keeps at the guess what the receptance does not
-    tell: so no part becomes so light or so damped that it would limit the time step.
+    to the guess, in bounds of 1/2 and 4, and a weak pull holds at the guess what the receptance leaves
+    open: so no part becomes so light or so damped that it would limit the time step.
     """
     exact = [
         np.array([_mean(sleepers, direction, case, frequency) for frequency in _FREQUENCIES])

@@ -183,7 +183,7 @@ class TrackFlexibility:
         return replace(self, passing_lateral=0.0, passing_vertical=0.0)
 
     def parameters(self) -> TrackParameters:
-        """What the kernel `track_forces` takes."""
+        """The parameters of the kernel `track_forces`."""
         return TrackParameters(*(float(getattr(self, name)) for name in TrackParameters._fields))
 
     def masses(self) -> NDArray[np.float64]:
@@ -231,7 +231,7 @@ class TrackFlexibility:
         return np.abs(roots) / (2.0 * math.pi), -roots.real / np.abs(roots)
 
     def static_deflection(self, load: float, s: float | None = None) -> float:
-        """How far both rails go down [m] under a vertical load per wheel [N] on both; s as in `matrices`."""
+        """Deflection of both rails [m] under a vertical load per wheel [N] on both; s as in `matrices`."""
         stiffness, _ = self.matrices(s)
         return -float(np.linalg.solve(stiffness, [0.0, -load, 0.0, -load, 0.0, 0.0, 0.0])[1])
 

@@ -1,4 +1,4 @@
-"""Cooperrider's bogie: two wheelsets and a frame below a car body that keeps its way."""
+"""Cooperrider's bogie: two wheelsets and a frame below a car body that moves straight on."""
 
 from functools import partial
 

@@ -18,7 +18,7 @@ _TRAIN_STIFFNESS, _TRAIN_DAMPING = 1e6, 1e6  # N/m, N s/m: nothing on `HELD_MASS
 
 
 def suspended_wheelset(name: str, p: ParameterSet) -> Vehicle:
-    """A wheelset sprung sideways and in yaw in a frame that keeps its way (sources: the parameter file)."""
+    """A wheelset sprung sideways and in yaw in a frame that moves straight on."""
     centre = (0.0, 0.0, p["wheelset.radius"])
     roll, spin = p["wheelset.yaw_inertia"], p["wheelset.spin_inertia"]
     return Vehicle(
@@ -47,12 +47,12 @@ def suspended_wheelset(name: str, p: ParameterSet) -> Vehicle:
 
 
 def held_body(name: str, kind: str, position: tuple[float, float, float], weight: float) -> Body:
-    """A body that keeps its straight way at constant speed, and what it weighs on what carries it [N]."""
+    """A body in straight motion at constant speed, with its weight on its couplings [N]."""
     return Body(name, kind, HELD_MASS, (HELD_MASS, HELD_MASS, HELD_MASS), position, held_weight=weight)
 
 
 def towed(body: str, centre: tuple[float, float, float]) -> Coupler:
-    """A train that hardly pulls: a held body keeps its speed by its mass."""
+    """A train of nearly no force: the mass of a held body maintains its speed."""
     return Coupler((body,), (centre,), _TRAIN_STIFFNESS, _TRAIN_DAMPING)
 
 

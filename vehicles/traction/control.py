@@ -1,4 +1,4 @@
-"""What a controller sees of a running vehicle and what it may move: the border between laws and dynamics.
+"""Measurements and actuators of a controller: the border between control laws and dynamics.
 
 A controller is called at its own sample time with a `Measurement`, and writes `Actuators`, which act
 unchanged until the next sample.
@@ -11,7 +11,7 @@ from hh_exudyn.arrays import FloatArray
 
 
 class Measurement(NamedTuple):
-    """The state of the vehicle that a controller may know."""
+    """The measured state of the vehicle."""
 
     time: float  # [s]
     speed: float  # of the vehicle along the track, mean of its wheelsets [m/s]
@@ -24,7 +24,7 @@ class Measurement(NamedTuple):
 
 @dataclass
 class Actuators:
-    """What controllers move. Written in place."""
+    """The quantities that controllers set, written in place."""
 
     torques: FloatArray  # (drives,) of a motor on its wheelset, forwards [N m]
     train_place: float  # arc length of the train's coupler head, coupler unloaded [m]

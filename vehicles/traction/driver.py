@@ -19,7 +19,7 @@ from vehicles.traction.train import TrailingTrain, locomotive_resistance
 
 @dataclass(frozen=True)
 class DriverOrders:
-    """What the driver is told."""
+    """Orders to the driver."""
 
     set_speed: float  # [m/s]
     braking_limit: float  # electro-dynamic, all units together [N]

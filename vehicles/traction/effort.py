@@ -1,6 +1,6 @@
-"""Traction and braking of a locomotive: what its drives can give, and the control of speed, wheel by wheel.
+"""Traction and braking of a locomotive: limits of its drives, control of speed, slip and over-slip.
 
-Plain laws of numbers and arrays, stepped at the sample time of a controller; nothing here knows a solver. An
+Plain laws of numbers and arrays, stepped at the sample time of a controller; independent of the solver. An
 effort is a force at the wheel treads, positive forwards; a torque is one of a wheelset about its axle.
 """
 
@@ -13,7 +13,7 @@ from hh_exudyn.arrays import FloatArray
 
 @dataclass(frozen=True)
 class TractionEquipment:
-    """What the drives of one unit can give: constant effort up to a speed, constant power above it."""
+    """Limits of the drives of one unit: constant effort up to a speed, constant power above it."""
 
     starting_effort: float  # [N]
     power: float  # at the treads, in traction [W]
@@ -84,7 +84,7 @@ class SpeedControl:
         wanted = self._proportional * error + held - self._derivative * change
         low = max(least, self._effort - rate * interval)
         high = min(most, self._effort + rate * interval)
-        low = min(low, most)  # a bound that moves faster than the rate is kept all the same
+        low = min(low, most)  # a bound that moves faster than the rate holds all the same
         high = max(high, least)
         self._effort = min(max(wanted, low), high)
         if self._effort == wanted or (wanted - self._effort) * error < 0.0:
@@ -94,7 +94,7 @@ class SpeedControl:
 
 @dataclass(frozen=True)
 class SlipLimits:
-    """When a wheelset counts as slipping, and how its torque is taken away and given back."""
+    """When a wheelset counts as slipping, and the course of its torque after that."""
 
     creepage: float = 0.02  # of the speed
     least_slip: float = 0.15  # m/s, below it a slip counts as measuring error
@@ -128,7 +128,7 @@ class SlipControl:
         wheel_speeds, speeds : (axles,) arrays
             Spin times rolling radius, and the true forward speed of each wheelset [m/s].
         effort : float
-            Demanded effort: its sign tells traction from braking.
+            Demanded effort, positive in traction, negative in braking.
         """
         limits = self._limits
         slip = (wheel_speeds - speeds) * (1.0 if effort >= 0.0 else -1.0)
@@ -147,8 +147,8 @@ class OverSlip:
     """Extra torque that holds each driven wheelset at a wanted slip dv, to clean rails or to wear off cracks.
 
     Hossein-Nia (2018), chapter 5: over-slip by "an extra torque to the driven loco wheels". A PI control of
-    the slip velocity; `inertia` is that of a wheelset's spin with its rotor, which alone resists a wheel
-    whose creep force is saturated.
+    the slip velocity; `inertia` is that of a wheelset's spin with its rotor, the only resistance of a
+    wheel under saturated creep force.
     """
 
     TIME_CONSTANT = 0.10  # s, of the slip under saturated friction

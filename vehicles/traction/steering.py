@@ -27,7 +27,7 @@ class Steering:
     gain : float
         Share of the radial angle; 1 is radial, 0 passive.
     softening : float
-        Share of the longitudinal stiffness left in a curve of `full_curvature` or tighter; 1 leaves it.
+        Share of the longitudinal stiffness left in curves tighter than `FULL_CURVATURE`; 1 leaves it.
     """
 
     LAG = 0.3  # s, of the actuators

@@ -1,4 +1,4 @@
-"""What hangs on the coupler behind a locomotive: running resistance, grades, curves, and inertia of a train.
+"""The train on the coupler behind a locomotive: running resistance, grades, curves, and inertia.
 
 The train is one mass on a line: its wagons run at one speed, but each stands on its own grade and curve.
 """
