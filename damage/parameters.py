@@ -1,4 +1,4 @@
-"""Parameter files of damage: every number with its unit, its source, and whether the source was read.
+"""Parameter files of damage: every number with its unit, its source, and whether that was looked up.
 
 A file is ``damage/data/<name>.toml``; each entry of a table reads
 ``severe = { value = 35e-4, unit = "-", confirmed = false, source = "assumed: ..." }``.
