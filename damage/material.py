@@ -1,4 +1,4 @@
-"""Wheel steels: the strength that damage is measured against, and the elastic constants.
+"""Wheel steels: strengths and elastic constants.
 
 The numbers of the grades stand with their sources in ``damage/data/materials.toml``: `material_parameters`.
 """
@@ -21,7 +21,7 @@ Table 3-2 of Hossein-Nia (2018) is reproduced by von Mises (ER7: 300 MPa), while
 Tresca's (260 MPa).
 """
 
-_GIVE = {  # what can be asked for, and what a material must be given for it
+_GIVE = {  # strength that a model needs: arguments of a material that give it
     "yield_strength": "yield_strength [Pa]",
     "tensile_strength": "tensile_strength [Pa]",
     "hardness": "hardness [Pa]",
@@ -47,7 +47,7 @@ class WheelMaterial:
     hardness
         Hardness as a pressure [Pa]: the Brinell number times 9.80665 MPa.
     criterion
-        How the shear yield strength follows from the yield strength, one of `CRITERIA`.
+        Yield criterion by which the shear yield strength follows from the yield strength, one of `CRITERIA`.
     measured_shear_yield
         Shear yield strength known by itself (torsion, cyclic tests) [Pa]; it goes before the criterion.
 
@@ -89,7 +89,7 @@ class WheelMaterial:
 
     @property
     def shear_yield_derivation(self) -> str:
-        """How the shear yield strength is known, in words."""
+        """Derivation of the shear yield strength, in words."""
         return "measured" if self.measured_shear_yield is not None else CRITERIA[self.criterion][1]
 
     def require(self, quantity: str, model: str) -> float:
@@ -100,7 +100,7 @@ class WheelMaterial:
         quantity
             "yield_strength", "tensile_strength", "hardness" or "shear_yield".
         model
-            What needs it, for the message: "Archard's law".
+            Model that needs it, for the message: "Archard's law".
 
         Raises
         ------

@@ -1,11 +1,11 @@
-"""With what damage is computed: steel, wear law, theory, grids and thresholds, in one value."""
+"""Settings of a damage computation: steel, wear law, theory, grids and thresholds, in one value."""
 
 import math
 from dataclasses import dataclass, field
 
 from damage.material import ER7, WheelMaterial
 from damage.rcf.burstow import Burstow, BurstowLimits
-from damage.rcf.surface_index import FLANGE_ANGLE
+from damage.rcf.surface_index import FLANGE_CONTACT_ANGLE
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
 from damage.surface.patch_field import theory_number
 from damage.wear.archard import archard
@@ -16,7 +16,7 @@ _NOTHING_WIPED = BurstowLimits(math.inf, 1.0, math.inf)  # thresholds that no en
 
 @dataclass(frozen=True)
 class DamageModel:
-    """What a contact log is judged with.
+    """Settings of a damage computation.
 
     Attributes
     ----------
@@ -47,7 +47,7 @@ class DamageModel:
     law: WearLaw = field(default_factory=archard)
     theory: str = "fastrip"
     cells: tuple[int, int] = (50, 50)
-    flange_angle: float = FLANGE_ANGLE
+    flange_angle: float = FLANGE_CONTACT_ANGLE
     grid: LateralGrid = field(default_factory=LateralGrid)
     patch_grid: PatchGrid = field(default_factory=PatchGrid)
     burstow: Burstow | None = None

@@ -12,7 +12,7 @@ from damage.log_input.contact_source import ContactSource
 from damage.material import ER7, WheelMaterial
 from damage.model import DamageModel
 from damage.rcf.burstow import Burstow
-from damage.rcf.surface_index import FLANGE_ANGLE
+from damage.rcf.surface_index import FLANGE_CONTACT_ANGLE
 from damage.surface.accumulate import accumulate
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
 from damage.surface.wheel_surface import DEFAULT_PATCH_GRID, FLANGE, TREAD, WheelSurface
@@ -36,7 +36,7 @@ def _of_parts(surface: WheelSurface, burstow: bool) -> dict[str, NDArray[np.floa
 
 @dataclass(frozen=True)
 class DamageReport:
-    """Damage of the wheels of a run, and what it was computed with.
+    """Damage of the wheels of a run, with the settings of its computation.
 
     Attributes
     ----------
@@ -45,7 +45,7 @@ class DamageReport:
     model
         Steel, wear law, theory, grids and thresholds.
     bad_rows
-        Rows of the log that were left out.
+        Rows of the log that were skipped.
     seconds_per_state
         Wall time per contact state [s], of this machine.
     """
@@ -93,12 +93,12 @@ class DamageReport:
         return pyarrow.table(table)
 
     def distance_table(self, distance: float) -> pyarrow.Table:
-        """What the wheels have after a distance of the same rolling, one row per wheel.
+        """Damage after a distance of the same rolling, one row per wheel.
 
         Parameters
         ----------
         distance
-            Rolled in all [m], > 0.
+            Distance rolled [m], > 0.
 
         Raises
         ------
@@ -126,7 +126,7 @@ def assess(
     theory: str = "fastrip",
     cells: tuple[int, int] = (50, 50),
     law: WearLaw = DRY_ARCHARD,
-    flange_angle: float = FLANGE_ANGLE,
+    flange_angle: float = FLANGE_CONTACT_ANGLE,
     grid: LateralGrid | None = None,
     patch_grid: PatchGrid = DEFAULT_PATCH_GRID,
     profile: Profile | None = None,
@@ -136,7 +136,9 @@ def assess(
 ) -> DamageReport:
     """Wear and rolling contact fatigue of all wheels of a run.
 
-    Every contact state is solved again on a fine grid for its stresses and slip.
+    Every contact state is solved again on a fine grid for its stresses and slip. The arguments from
+    `material` on are the settings of `damage.model.DamageModel`, each with a default: more than eight, so
+    that a call names only those that differ.
 
     Parameters
     ----------
@@ -159,12 +161,13 @@ def assess(
     patch_grid
         Bins along the patch.
     profile
-        The wheel profile; one that differs between the wheels is not meant.
+        The wheel profile, the same for all wheels.
     burstow
-        Thresholds of Burstow's correction; None takes those of the material, and corrects nothing if that
-        lacks a strength they are made of.
+        Thresholds of Burstow's correction; None takes those of the material, and corrects nothing where the
+        material lacks its yield strength or its tensile strength.
     skip_bad_rows
-        Leave out rows with NaN, values out of range or forces above friction, and report them.
+        Impossible rows (NaN, values out of range, forces above friction) are skipped and counted; otherwise
+        they raise.
     threads
         States that are solved at once; None takes the processors that this process may use. It has no
         influence on the result.

@@ -1,4 +1,4 @@
-"""What a run amounts to in its last part: forces, position and damage drivers of every wheelset.
+"""Summary of the last part of a run: forces, position and damage drivers of every wheelset.
 
 The means are over time, over the output times of a window; a wheel off the rail counts with zero force.
 """
@@ -106,11 +106,11 @@ def wheelset_summary(run: Run, window: Pair) -> list[WheelsetSummary]:
 
 def _rows(run: Run, window: Pair) -> dict[str, NDArray[np.float64]]:
     """The rows of the window, column by column."""
-    kept: list[dict[str, NDArray[np.float64]]] = []
+    parts: list[dict[str, NDArray[np.float64]]] = []
     for chunk in contact_chunks(run, _COLUMNS):
         inside = (chunk["time"] >= window[0]) & (chunk["time"] <= window[1])
-        kept.append({name: values[inside] for name, values in chunk.items()})
-    rows = {name: np.concatenate([chunk[name] for chunk in kept]) for name in _COLUMNS} if kept else {}
+        parts.append({name: values[inside] for name, values in chunk.items()})
+    rows = {name: np.concatenate([chunk[name] for chunk in parts]) for name in _COLUMNS} if parts else {}
     if not rows or rows["time"].size == 0:
         raise ValueError(f"{run.directory}: no contact between {window[0]:g} and {window[1]:g} s")
     return rows

@@ -8,7 +8,7 @@
 `damage.evolution.profile_wear`        wear depth over the profile: of one wheel, of a wheelset, of both
                                        running directions
 `damage.evolution.worn_profile`        a step of wear on a profile: normal to it, smoothed, valid again
-`damage.evolution.measures`            what a gauge and a conicity computation say of a profile
+`damage.evolution.measures`            flange measures, hollow and equivalent conicity of a profile
 `damage.evolution.loop`                `evolve`: steps until a distance is run, resumable
 `damage.evolution.history`             the steps, on disk and as a table
 `damage.evolution.reprofiling`         the smallest cut that restores a target profile

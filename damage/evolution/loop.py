@@ -1,7 +1,7 @@
 """`evolve`: wear a wheel step by step until it has run a distance.
 
-Where the wear comes from is not known here: `wear_of(profile)` may run simulations with the profile as it is,
-or give a synthetic rate. A step ends where the deepest place has lost `StepControl.max_depth` or where
+The wear comes from the caller: `wear_of(profile)` may run simulations with the profile, or give a synthetic
+rate. A step ends where the deepest place has lost `StepControl.max_depth` or where
 `StepControl.max_distance` is run, whichever comes first; then the profile is updated (T. Jendel, Prediction
 of wheel profile wear - comparisons with field measurements, Wear 253 (2002); Hossein-Nia 2018, figure 3-25).
 """
@@ -26,7 +26,7 @@ _LAST = 1e-9  # of the distance: a rest below it is rounding
 
 @dataclass(frozen=True)
 class StepControl:
-    """When the profile is updated.
+    """Limits of a step of wear, at which the profile is updated.
 
     Attributes
     ----------
@@ -79,7 +79,7 @@ def evolve(
     directory
         Where the steps are written, one file each. One that holds steps of the same wheel is continued.
     control
-        When the profile is updated; None takes the defaults.
+        Limits of a step; None takes the defaults.
     track
         For the equivalent conicity; None takes 60E1 1:30 at nominal gauge.
     progress
@@ -89,7 +89,7 @@ def evolve(
     ------
     ValueError
         A number out of its range, a directory with the steps of another wheel, or wear that leaves no valid
-        profile (`worn_profile`); the steps so far are kept.
+        profile (`worn_profile`); the steps so far stay on disk.
     """
     check_not_below_zero("distance", distance, "m")
     check_above_zero("radius", radius, "m")

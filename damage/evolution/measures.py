@@ -1,4 +1,4 @@
-"""What is measured of a wheel over its life: flange, hollow, diameter, equivalent conicity."""
+"""Measures of a wheel over its life: flange, hollow, diameter, equivalent conicity."""
 
 from dataclasses import dataclass, field
 
@@ -27,7 +27,7 @@ class ConicityTrack:
     Attributes
     ----------
     rail_left, rail_right
-        The rails; 60E1 1:30 unless told.
+        The rails; 60E1 1:30 by default.
     gauge
         [m].
     tape_distance

@@ -1,4 +1,4 @@
-"""How deep a wheel wears per kilometre over its profile, and whose wear is put together.
+"""Wear depth per kilometre over a wheel profile, of one wheel or as the mean of several.
 
 A profile evolves by the wear of one wheel, or by a mean where wheels are taken for equals:
 
@@ -122,7 +122,7 @@ def profile_wear(
 
 
 def mean_wear(surface: WheelSurface) -> ProfileWear:
-    """Mean over all wheels of a surface: of a vehicle whose wheelsets change places over its life.
+    """Mean over all wheels of a surface: for a vehicle with wheelsets that change places over its life.
 
     Raises
     ------

@@ -1,12 +1,12 @@
 """A step of wear: the profile moved into the wheel by the wear depth, along its normals.
 
-What is smoothed is the wear of the step, not the profile: a profile that nothing wears stays what it is to
-the last digit, however many steps are made, and a flange does not lose its radii to smoothing. The rule is
-that of measured profiles (`hh_exudyn.contact.profiles.smoothing`), put on the depth over the arc: place by
-place waves shorter than up to 10 mm (about a patch) are taken out, as long as the depth stays within a share
-of its largest value. The worn area stays the same, and places 5 mm from any wear keep their points.
+The wear of the step is smoothed, not the profile: a profile without wear stays the same to the last digit,
+however many steps are made, and a flange does not lose its radii to smoothing. The rule is that of measured
+profiles (`hh_exudyn.contact.profiles.smoothing`), put on the depth over the arc: place by place waves shorter
+than up to 10 mm (about a patch) are taken out, as long as the depth stays within a share of its largest
+value. The worn area stays the same, and places 5 mm from any wear do not move.
 
-Points keep their number: each moves by (-dz/ds, dy/ds) times the depth at its place.
+The number of points does not change: each moves by (-dz/ds, dy/ds) times the depth at its place.
 """
 
 import numpy as np

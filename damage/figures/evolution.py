@@ -73,7 +73,7 @@ def measures_figure(history: WearHistory) -> Figure:
 
 
 def worn_depth(first: WearStep, step: WearStep) -> FloatArray:
-    """How far a later profile lies inside the first one, along the normals at the first one's points [m].
+    """Distance of a later profile inside the first one, along the normals at the first one's points [m].
 
     Points of a profile keep their number in a step of wear, but slide along it where normals turn; what they
     slid does not count.

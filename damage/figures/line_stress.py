@@ -87,7 +87,7 @@ def surface_stress_figure() -> Figure:
 
 
 def yield_place_figure(largest_friction: float = 0.5) -> Figure:
-    """Where the principal shear stress of full slip is largest, over friction (figure 3-7).
+    """Place of the largest principal shear stress of full slip, over friction (figure 3-7).
 
     Parameters
     ----------

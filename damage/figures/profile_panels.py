@@ -29,7 +29,7 @@ def wear_figure(
 ) -> Figure:
     """Wear depth over the wheel profile, one panel per wheel.
 
-    Where flange wear dwarfs that of the tread it is drawn smaller, by the factor written in; the largest
+    Flange wear much larger than that of the tread is drawn smaller, by the factor written in; the largest
     depths of both are written in.
 
     Parameters
@@ -152,7 +152,7 @@ def _corner_text(axes: Axes, text: str, across: float) -> None:
 
 
 def _flange_root(profile: Profile | None, flange_angle: float) -> float:
-    """Where the profile first becomes steeper than the flange angle, outwards from the running circle [m]."""
+    """Lateral place, outwards from the running circle, at which the flange angle is first exceeded [m]."""
     if profile is None:
         return FLANGE_ROOT
     middles = 0.5 * (profile.y[1:] + profile.y[:-1])

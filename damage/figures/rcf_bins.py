@@ -1,4 +1,4 @@
-"""Where on the profile fatigue gathers: bars of 5 mm, one panel per wheel (Hossein-Nia 2018, figure 3-17 b),
+"""Fatigue over the profile: bars of 5 mm, one panel per wheel (Hossein-Nia 2018, figure 3-17 b),
 and the profile itself, the darker the more, for cases side by side (figure 3-18).
 """
 
@@ -137,7 +137,7 @@ def rcf_cases_figure(
 
 
 def _measure(surface: WheelSurface) -> str:
-    """What the bins are measured in."""
+    """Coordinate of the bins."""
     arc = surface.grid.profile_arc is not None
     return "arc of the wheel profile from the running circle" if arc else "lateral position on the profile"
 

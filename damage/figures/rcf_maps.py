@@ -171,7 +171,7 @@ def _surface(
 
 
 def _label(axes: NDArray[np.object_], surface: WheelSurface) -> None:
-    """What lies along the axes."""
+    """Quantities along the axes."""
     measure = "lateral position" if surface.grid.profile_arc is None else "arc of the wheel profile"
     axes[0].set_ylabel(f"{measure} from the running circle [mm], flange up", fontsize=8)
     for place in axes:

@@ -21,7 +21,7 @@ _CENTRES = {  # hardening: name of the centre, colour, line
     "kinematic": ("O'', kinematic hardening", "#8c2d04", "-"),
 }
 DEPTHS = (0.0, 0.25, 0.5, 0.75, 1.0)
-"""Depths over a whose trajectories are shown."""
+"""Depths over a of the trajectories that are shown."""
 
 
 def trajectories_figure(friction: float = 0.15, depths: Sequence[float] = DEPTHS) -> Figure:

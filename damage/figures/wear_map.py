@@ -38,11 +38,11 @@ def wear_map_figure(
     states
         A few contact states, as `damage.wear.batch.wear_depths` takes them.
     names
-        What they are called in the legend; numbered if none are given.
+        Names in the legend; numbers if none are given.
     law
-        Archard's law, whose map and slip (elastic or rigid) are used.
+        Archard's law, with its map and slip (elastic or rigid).
     theory, cells, material
-        How the patches are solved, see `hh_exudyn.contact.tangential.api.traction_field`.
+        Settings of the tangential theory, see `hh_exudyn.contact.tangential.api.traction_field`.
 
     Raises
     ------

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from damage.log_input.contact_states import ContactSource
 from damage.material import ER7, WheelMaterial
-from damage.rcf.surface_index import FLANGE_ANGLE
+from damage.rcf.surface_index import FLANGE_CONTACT_ANGLE
 from damage.shakedown import point_contact_limit, working_points
 
 # starts dark enough for a cell with one working point to be seen on white
@@ -18,7 +18,7 @@ _FLANGE_COLOUR = "#2b5c8a"
 def shakedown_figure(
     run: ContactSource,
     material: WheelMaterial = ER7,
-    flange_angle: float = FLANGE_ANGLE,
+    flange_angle: float = FLANGE_CONTACT_ANGLE,
     skip_bad_rows: bool = False,
 ) -> Figure:
     """Working points of a contact log in the shakedown diagram of a point contact in full slip.
@@ -32,7 +32,7 @@ def shakedown_figure(
     flange_angle
         Contact angle above which a contact counts as flange contact [rad].
     skip_bad_rows
-        Leave out rows that no contact can have; else they are refused.
+        Impossible rows are skipped; otherwise they raise.
     """
     points = working_points(run, material.shear_yield, flange_angle, skip_bad_rows)
     tread = ~points.flange

@@ -1,4 +1,4 @@
-"""Rows of a contact log that no contact can have: found, counted, and left out where that is asked for."""
+"""Impossible rows of a contact log: NaN, values out of range, forces above friction; found and counted."""
 
 import math
 from collections.abc import Iterator
@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 import numpy as np
 import pyarrow
 from numpy.typing import NDArray
+
+from damage.log_input.states import UNITS
 
 Chunk = dict[str, NDArray[np.float64]]
 Mask = NDArray[np.bool_]
@@ -17,23 +19,23 @@ limit by less than 1 % from 10 x 10 cells on; the demo's log stays below the lim
 
 _SHOWN_TIMES = 3
 
-# name, unit, least value, whether the least value itself is allowed; only the loaded rows must obey
+# name, least value, whether the least value itself is allowed; of the loaded rows alone
 _LOADED_RANGES = (
-    ("a", "m", 0.0, False),
-    ("b", "m", 0.0, False),
-    ("p_max", "Pa", 0.0, False),
-    ("friction", "-", 0.0, False),
+    ("a", 0.0, False),
+    ("b", 0.0, False),
+    ("p_max", 0.0, False),
+    ("friction", 0.0, False),
 )
 _RANGES = (
-    ("normal_force", "N", 0.0, True),
-    ("rolling_radius", "m", 0.0, False),
-    ("speed", "m/s", 0.0, True),
+    ("normal_force", 0.0, True),
+    ("rolling_radius", 0.0, False),
+    ("speed", 0.0, True),
 )
 
 
 @dataclass
 class Fault:
-    """One kind of fault: rows that have it, and its first case in words."""
+    """One kind of fault: number of its rows, and its first case in words."""
 
     rows: int
     first: str
@@ -112,8 +114,9 @@ def _faults(chunk: Chunk) -> Iterator[tuple[str, str, Mask]]:
             yield f"{name} not finite", f"{name} is NaN or infinite", rows
     loaded = chunk["normal_force"] > 0.0 if "normal_force" in chunk else np.ones(chunk["time"].size, np.bool_)
     for ranges, where in ((_RANGES, np.ones_like(loaded)), (_LOADED_RANGES, loaded)):
-        for name, unit, least, allowed in ranges:
+        for name, least, allowed in ranges:
             if name in chunk:
+                unit = UNITS[name]
                 values = chunk[name]
                 rows = where & ((values < least) if allowed else (values <= least))
                 wanted = f"must be {'>=' if allowed else '>'} {least:g} {unit}"
@@ -131,7 +134,7 @@ def _faults(chunk: Chunk) -> Iterator[tuple[str, str, Mask]]:
 def _out_of_range(
     chunk: Chunk, name: str, unit: str, wanted: str, rows: Mask
 ) -> Iterator[tuple[str, str, Mask]]:
-    rows = rows & np.isfinite(chunk[name])  # an infinite value is told apart
+    rows = rows & np.isfinite(chunk[name])  # infinite values are a fault of their own
     if rows.any():
         first = int(np.argmax(rows))
         value, time = chunk[name][first], chunk["time"][first]

@@ -1,4 +1,4 @@
-"""Where contact states come from: a run, its directory, Parquet files, a table or arrays; read in batches."""
+"""Sources of contact states: a run, its directory, Parquet files, a table or arrays; read in batches."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -7,13 +7,14 @@ from typing import TypeAlias
 import numpy as np
 import pyarrow
 import pyarrow.dataset
+import pyarrow.fs
 from numpy.typing import ArrayLike
 
 from hh_exudyn.log.store import Run, open_run
 
 ContactSource: TypeAlias = Run | Path | str | pyarrow.Table | Mapping[str, ArrayLike]
-"""What damage takes as a contact log: a run or its directory; a Parquet file, or a folder that holds nothing
-but such files (in the order of their paths, at any depth); a table; or arrays by the name of their column."""
+"""A contact log: a run or its directory; a Parquet file, or a folder of such files alone (in the order of
+their paths, at any depth); a table; or arrays by the name of their column."""
 
 PARQUET = ".parquet"
 
@@ -70,11 +71,11 @@ def _parquet_files(path: Path) -> list[Path]:
 
 
 def _file_batches(files: list[Path], columns: Sequence[str], rows: int) -> Iterator[pyarrow.RecordBatch]:
-    parquet = pyarrow.dataset.ParquetFileFormat()
+    parquet, local = pyarrow.dataset.ParquetFileFormat(), pyarrow.fs.LocalFileSystem()
     # a scan that reads ahead holds the whole file: 790 instead of 210 MB for a file of 600 MB
     stream = pyarrow.dataset.ParquetFragmentScanOptions(use_buffered_stream=True, pre_buffer=False)
     for path in files:
-        part = parquet.make_fragment(str(path))
+        part = parquet.make_fragment(str(path), filesystem=local)
         try:
             names = part.physical_schema.names
         except pyarrow.ArrowInvalid as error:

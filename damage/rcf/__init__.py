@@ -5,11 +5,11 @@
 `local`              stress and fatigue index over a patch, largest per strip
 `subsurface`         fatigue below the surface: FI_sub, FI_def
 `number`             RCF number: revolutions beyond shakedown, place by place in patch and profile
-`burstow`            what is left of that beside wear
+`burstow`            correction of that number for wear
 `miner`              Kabo's life of a fatigue index, for Miner's sum
 `crack`              cycles to failure, Miner's sum, size of cracks
 `ratchetting`        plastic shear of layers below the surface
 `whole_life_rail`    damage over the wear number, fatigue against wear
-`wear_and_cracks`    what wear leaves of the cracks: by layers worn off, or by Burstow
+`wear_and_cracks`    cracks that wear leaves: by layers worn off, or by Burstow
 ===================  ================================================================================
 """

@@ -1,4 +1,4 @@
-"""Burstow's correction: how much of the counted fatigue is left where wear takes the cracks away.
+"""Burstow's correction: the share of the counted fatigue that remains where wear takes the cracks away.
 
 M.C. Burstow, Whole life rail model application and development for RSSB, AEA Technology 2004 (as in
 Hossein-Nia 2018, equations 3.33 and 3.34 with the text around figures 3-27 to 3-29). Energy per distance that

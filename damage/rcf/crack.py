@@ -46,9 +46,9 @@ class LifeRelation:
     exponent
         [-], < 0.
     calibrated_for
-        What the numbers were measured on.
+        Bodies that the numbers were measured on.
     source
-        Where they are published.
+        Publication of the numbers.
 
     Raises
     ------

@@ -125,7 +125,7 @@ def strip_indices(
 def strip_fatigue(fields: Fields, shear_yield: float, friction: float, fatigue_index: FloatArray) -> None:
     """Largest FI_local of every strip as far as it is above zero, else zero (kernel, trusts its input).
 
-    What the loop over a log needs of `strip_indices`, sooner: where friction times the pressure in a strip's
+    A faster `strip_indices` for the loop over a log: where friction times the pressure in a strip's
     middle, its largest, is below k, no cell can have any.
 
     Parameters

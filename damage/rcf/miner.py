@@ -1,4 +1,4 @@
-"""Miner's sum of surface fatigue: what one revolution takes from the life of a place.
+"""Miner's sum of surface fatigue: the share of the life of a place that one revolution takes.
 
 E. Kabo's relation FI = 1.78 N_f^(-1/4) (Hossein-Nia 2018, equation 3.18) gives N_f revolutions to failure;
 by Miner's rule a revolution takes 1/N_f = (FI/1.78)^4 = FI^4 / 10.04 of the life (3.19), failure at 1.

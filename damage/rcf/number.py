@@ -29,7 +29,7 @@ PAIR = 2 * COLUMNS  # of a strip, and again of its mirror image
 
 
 class Bins(NamedTuple):
-    """Where the bins lie."""
+    """The bins across the profile and along the patch."""
 
     start: float  # edge of the first bin across the profile [m]
     step: float  # [m]
@@ -38,7 +38,7 @@ class Bins(NamedTuple):
 
 
 class Spot(NamedTuple):
-    """Where a patch lies on the bins, and what its contact state stands for."""
+    """Place of a patch on the bins, and the rolling that its contact state stands for."""
 
     position: float  # of its middle in the coordinate of the bins across [m]
     across: float  # of a metre along its y axis, to the left, in that coordinate [-]; < 0 on a left wheel
@@ -196,7 +196,7 @@ def count_patch(
     limits
         Burstow's thresholds.
     spot
-        Where the patch lies, and the revolutions that it stands for.
+        Place of the patch, and the revolutions that it stands for.
     bins
         The bins; the patch lies on them.
     work
@@ -221,7 +221,7 @@ def count_patch(
         if mirror != pair:  # the middle one of an odd number is its own mirror image
             total += cosine * work.sums[cells_x, COLUMNS + ENERGY]
     wiped = total * 4.0 * patch.a * patch.b / (cells_x * cells_y) > limits.total
-    kept = 0.0 if wiped else 1.0
+    remains = 0.0 if wiped else 1.0
     width = 2.0 * patch.b / (cells_y * bins.step) * abs(spot.across)
     for strip in range(cells_y):
         mirrored = strip >= (cells_y + 1) // 2
@@ -235,4 +235,4 @@ def count_patch(
         for place in range(max(math.floor(low), 0), min(math.floor(high), counts.shape[0] - 1) + 1):
             covered = min(high, place + 1.0) - max(low, float(place))
             weight = spot.revolutions * covered * cell_length / bins.along_step
-            _add_row(first, end, weight, weight * kept, binned, counts[place])
+            _add_row(first, end, weight, weight * remains, binned, counts[place])

@@ -234,7 +234,7 @@ def ratchet(
 
 
 class _Reached(NamedTuple):
-    """Where an integration ended."""
+    """End of an integration: at a failure or at the last cycle."""
 
     cycles: float
     strain: FloatArray  # (L,)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from damage.bounds import check_above_zero
 
-FLANGE_ANGLE = math.radians(15.0)
+FLANGE_CONTACT_ANGLE = math.radians(15.0)
 """Contact angle above which a contact counts as flange contact, flange root included [rad]. Treads stay
 below 10 degrees; S1002 reaches 15 degrees 27 mm from the running circle, at the root of the flange. Flange
 cells hold no fluid and grow no cracks, so they are reported apart. The value is this project's choice."""

@@ -1,4 +1,4 @@
-"""Wear and rolling contact fatigue together: what is left of the cracks where layers wear off.
+"""Wear and rolling contact fatigue together: the cracks that remain where layers wear off.
 
 Two ways, to be chosen (`APPROACHES`):
 
@@ -125,8 +125,8 @@ class CrackLayer:
 def remaining_share(surface: WheelSurface, failure_depth: float) -> NDArray[np.float64]:
     """(W, B) share of the cracks that wear leaves by the geometric approach [-]; 0 where there are none.
 
-    The surface is judged as a whole, in one step: growth and wear at constant rates since it was new. What
-    it counted on the tread and on the flange lies in the same bin, and wears together.
+    The whole life of the surface is one step: growth and wear at constant rates since it was new. Counts of
+    the tread and of the flange lie in the same bin, and wear together.
 
     Parameters
     ----------

@@ -60,7 +60,7 @@ class DamageFunction:
         Parameters
         ----------
         wear_number
-            Energy per distance rolled [N = J/m], `damage.wear.wear_number`; NaN gives NaN.
+            Energy per distance rolled [N = J/m], `damage.wear.energy.wear_number`; NaN gives NaN.
         """
         energy = np.asarray(wear_number, dtype=np.float64)
         rising = (energy - self.onset) / (self.peak - self.onset)
@@ -89,7 +89,7 @@ def rescaled(energies: tuple[float, float, float], function: DamageFunction = BU
         three turning points in order: 1 : 3 : 10, against 1 : 4.3 : 11.7 of the rail's. The text of the
         thesis uses them otherwise when it corrects counts: undiminished up to E_1, none beyond E_2.
     function
-        Whose peak damage is kept.
+        Gives the peak damage.
 
     Raises
     ------

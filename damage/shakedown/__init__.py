@@ -2,7 +2,7 @@
 
 ==================================  ======================================================================
 `damage.shakedown.line_contact`     limits of line contact, in full slip and in partial slip
-`damage.shakedown.stress_circle`    where they come from: a circle around the stresses of all depths
+`damage.shakedown.stress_circle`    their construction: a circle around the stresses of all depths
 `damage.shakedown.circle`           the smallest circle around points of the plane
 `damage.shakedown.point_contact`    limit of point contact in full slip
 `damage.shakedown.working_points`   contact states in the diagram of Q/P and p0/k

@@ -22,7 +22,7 @@ class WorkingPoints:
     relative_pressure
         p0/k [-].
     flange
-        True where the contact angle exceeds the flange angle asked for.
+        True where the contact angle exceeds the flange angle.
     """
 
     utilised_friction: NDArray[np.float64]
@@ -76,8 +76,7 @@ def working_points(
     flange_angle
         Contact angle above which a contact is on the flange [rad].
     skip_bad_rows
-        Leave out rows that no contact can have, the same as `damage.surface.accumulate` does; else they are
-        refused.
+        Impossible rows are skipped, the same as in `damage.surface.accumulate`; otherwise they raise.
     """
     wanted = ("time", "force_x", "force_y", "normal_force", "p_max", "contact_angle")
     columns = DAMAGE_COLUMNS if skip_bad_rows else wanted  # a row may be bad in any of them

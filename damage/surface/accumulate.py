@@ -63,7 +63,7 @@ def accumulate(
     source
         The contact log, see `damage.log_input.contact_source`.
     model
-        What it is judged with.
+        Settings of the computation.
     clock
         Output times of the whole log where `source` is a piece of it; None finds those of `source` while it
         is read, once if it is in order of time.
@@ -151,7 +151,7 @@ def _add_blocks(
 
 
 def _block_sums(block: Block, wheel: Wheel, model: DamageModel) -> Sums:
-    """What the states of a block add to their wheel, summed from zero."""
+    """Sums over the states of a block, from zero."""
     zero = WheelSurface.zero((wheel,), model.grid, model.patch_grid)
     counts = np.zeros((*zero.rcf_number.shape[1:], COLUMNS))
     sums = Sums(**{name: getattr(zero, name)[0] for name in _SUMMED}, counts=counts)

@@ -1,4 +1,4 @@
-"""The kernel of damage: every contact state is solved once, and all that follows is summed for its wheel."""
+"""The kernel of damage: every contact state is solved once, its wear and fatigue are summed for its wheel."""
 
 import math
 from typing import NamedTuple
@@ -20,7 +20,7 @@ from hh_exudyn.kernel import inlined_kernel, kernel
 
 
 class Placed(NamedTuple):
-    """What the loop needs of the contact states of one wheel beside their columns, (n,) each."""
+    """Place, time and fatigue index of the contact states of one wheel, (n,) each."""
 
     part: IntArray  # TREAD or FLANGE
     interval: FloatArray  # [s]
@@ -30,7 +30,7 @@ class Placed(NamedTuple):
 
 
 class Sums(NamedTuple):
-    """What the loop adds to: arrays of a `WheelSurface` without the axis of the wheels, and the counts."""
+    """Sums of one wheel: arrays of a `WheelSurface` without the axis of the wheels, and the counts."""
 
     depth: FloatArray  # (B,)
     worn_area: FloatArray  # (B,)
@@ -45,7 +45,7 @@ class Sums(NamedTuple):
 
 
 class Solving(NamedTuple):
-    """How states are solved and judged."""
+    """Settings of a damage computation as the kernel takes them."""
 
     theory: int  # a value of `patch_field.DAMAGE_THEORIES`
     elastic: Elastic  # of wheel and rail
@@ -119,7 +119,7 @@ def _add_time(
 
 @kernel
 def _add_strips(b: float, spot: Spot, bins: Bins, part: int, work: Work, sums: Sums) -> None:
-    """Add what every strip of a patch wears, and its largest index."""
+    """Add the wear of every strip of a patch, and the damage of its largest index."""
     cells_y, stretch = work.depth.shape[0], abs(spot.across)
     width = 2.0 * b / cells_y
     half = 0.5 * width * stretch / bins.step

@@ -80,7 +80,7 @@ class LateralGrid:
     count
         Number of bins.
     profile_arc
-        The profile along whose arc the bins lie; None for bins over the lateral coordinate.
+        Arc of the profile that the bins lie along; None for bins over the lateral coordinate.
     """
 
     start: float = -0.070
@@ -131,7 +131,7 @@ class LateralGrid:
         return lateral
 
     def place(self, y: ArrayLike, contact_angle: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """Where a patch lies on the grid.
+        """Place of a patch on the grid.
 
         Parameters
         ----------
@@ -143,9 +143,9 @@ class LateralGrid:
         Returns
         -------
         position, stretch
-            (n,) the grid's coordinate of the contact [m], and what a length across the patch measures on the
-            grid [-]: cos(contact angle) in the lateral coordinate; 1 on the arc, which the contact plane
-            touches.
+            (n,) the grid's coordinate of the contact [m], and the length on the grid over the length across
+            the patch [-]: cos(contact angle) in the lateral coordinate; 1 on the arc, which the contact
+            plane touches.
         """
         lateral, angle = np.asarray(y, dtype=np.float64), np.asarray(contact_angle, dtype=np.float64)
         if self.profile_arc is None:

@@ -1,4 +1,4 @@
-"""Stress and slip of a contact state as damage takes them: a tangential theory's, or those of full slip.
+"""Stress and slip over the patch of a contact state: of a tangential theory, or of full slip.
 
 In full slip the whole patch slides in the direction of the creep force: |q| = mu p with the pressure of
 Hertz, and the slip is the rigid slip of the creepages. It is what the shakedown diagram of a point contact

@@ -1,4 +1,4 @@
-"""What happened to the wheel surfaces: sums over contact states on a grid fixed to the wheel profile.
+"""Wear and fatigue of the wheel surfaces: sums over contact states on a grid fixed to the wheel profile.
 
 All sums are additive: the surface of a log is the sum of the surfaces of its pieces, however it is cut, and
 the surface of a set of runs is the sum over the runs. A load collective is a weighted sum, and a distance is
@@ -18,7 +18,7 @@ from damage.surface.lateral_grid import LateralGrid, PatchGrid
 from damage.wear.law import REGIMES
 
 DEFAULT_PATCH_GRID = PatchGrid()
-TREAD, FLANGE = 0, 1  # columns of the arrays that tell contact on the tread from contact on the flange
+TREAD, FLANGE = 0, 1  # columns of the arrays that separate contact on the tread and on the flange
 
 
 class Wheel(NamedTuple):
@@ -118,7 +118,7 @@ class WheelSurface:
     def zero(
         cls, wheels: tuple[Wheel, ...], grid: LateralGrid, patch_grid: PatchGrid = DEFAULT_PATCH_GRID
     ) -> "WheelSurface":
-        """Surfaces that nothing has touched yet."""
+        """Surfaces without any contact yet."""
         count, bins, along = len(wheels), grid.count, patch_grid.count
         return cls(
             grid=grid,
@@ -148,7 +148,7 @@ class WheelSurface:
         )
 
     def __add__(self, other: "WheelSurface") -> "WheelSurface":
-        """Both sums together; wheels that only one of them has are kept.
+        """Both sums together, for the wheels of either.
 
         Raises
         ------
@@ -184,7 +184,7 @@ class WheelSurface:
     def __rmul__(self, weight: float) -> "WheelSurface":
         """All sums times a weight: its share in a load collective.
 
-        The number of states that were summed and the largest pressure stay what they are.
+        The number of states that were summed and the largest pressure do not change.
 
         Raises
         ------

@@ -29,7 +29,7 @@ def krause_poll(coefficients: Sequence[float], power_densities: Sequence[float])
     coefficients
         I_w of one to four regimes [m^3/J], > 0, from the lowest power density to the highest.
     power_densities
-        Where one regime passes into the next [W/m^2], rising, > 0; one less than coefficients.
+        Limits between the regimes [W/m^2], rising, > 0; one less than coefficients.
 
     Raises
     ------

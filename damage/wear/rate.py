@@ -28,7 +28,7 @@ def rate_numbers(
     Parameters
     ----------
     limits
-        Where one regime passes into the next, rising; one less than slopes.
+        Limits between the regimes, rising; one less than slopes.
     slopes, offsets
         Of one to `REGIMES` regimes.
     """

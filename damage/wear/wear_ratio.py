@@ -3,7 +3,7 @@
 S. Hossein-Nia, paper E, and figure 3-26 of the thesis (KTH 2018): the ratio is learnt from the first wear
 steps, which are computed in full (Archard's law after Jendel); in later steps the energy that the simulation
 gives anyway is multiplied by it, which spares the patches' solution. The price there was an error of 10 to
-60 % of the worn volume, most of it on the flange where lubrication changes: `error` tells it against a full
+60 % of the worn volume, most of it on the flange where lubrication changes: `error` compares with a full
 step.
 
 Where it comes from: in the cells that slip |q| = mu p, so with elastic slip and within one region of the
@@ -26,7 +26,7 @@ from hh_exudyn.arrays import FloatArray
 
 @dataclass(frozen=True)
 class RatioError:
-    """How far a depth by the wear ratio is from that of a full step.
+    """Error of a depth by the wear ratio against that of a full step.
 
     Attributes
     ----------
@@ -88,7 +88,7 @@ class WearRatio:
         return cls(depths.reshape(-1, bins).sum(axis=0), energies.reshape(-1, bins).sum(axis=0))
 
     def __add__(self, other: "WearRatio") -> "WearRatio":
-        """What both have learnt; ValueError on grids of different size."""
+        """Sums over the steps of both; ValueError on grids of different size."""
         if self.depth.shape != other.depth.shape:
             raise ValueError(
                 f"wear ratios on {self.depth.size} and {other.depth.size} positions cannot be added"

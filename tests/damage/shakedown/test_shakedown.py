@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.optimize import minimize
 
-from damage.rcf.surface_index import FLANGE_ANGLE
+from damage.rcf.surface_index import FLANGE_CONTACT_ANGLE
 from damage.shakedown import (
     partial_slip_limit,
     partial_slip_surface_limit,
@@ -248,7 +248,7 @@ def test_published_ends_of_the_limit() -> None:
 
 
 def test_working_points(random_log: pyarrow.Table) -> None:
-    points = working_points(random_log, 300e6, FLANGE_ANGLE)
+    points = working_points(random_log, 300e6, FLANGE_CONTACT_ANGLE)
     assert points.utilised_friction.size == random_log.num_rows
     assert points.flange.sum() == np.count_nonzero(random_log["patch"].to_numpy() == 1)
     assert np.all(points.utilised_friction <= 0.4 * (1.0 + 1e-9))  # Coulomb
