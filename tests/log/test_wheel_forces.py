@@ -67,7 +67,7 @@ def test_filtered_forces_have_half_the_power_at_the_cutoff_and_no_shift(
         old, new = (getattr(forces, force)[inside, 0, wheel] for forces in (before, after))
         assert new - new.mean() == pytest.approx(left * (old - old.mean()), abs=0.01 * 10e3)
         assert new.mean() == pytest.approx(old.mean(), abs=1.0)
-    with pytest.raises(ValueError, match=r"cut-off is 125\.0 Hz, allowed are above 0 to below 124\.96 Hz"):
+    with pytest.raises(ValueError, match=r"cut-off is 125\.0 Hz, allowed are above 0 to below 124\.92 Hz"):
         before.filtered(125.0)
 
 
