@@ -1,6 +1,6 @@
-"""Accelerations of points of a vehicle from its motion log, as an accelerometer fixed to the body has them.
+"""Accelerations of points of a vehicle from its motion log, as of an accelerometer fixed to the body.
 
-The lateral one contains the share of gravity that cant and roll bring, the vertical one is 0 at rest.
+The lateral one contains the share of gravity from cant and roll, the vertical one is 0 at rest.
 """
 
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""What the quantities are held against: `data/assessment.toml`, with source and whether it is confirmed."""
+"""Limits of the quantities, from `data/assessment.toml`, each with its source and whether it is confirmed."""
 
 from dataclasses import dataclass
 from functools import cache
@@ -20,7 +20,7 @@ class Limit:
     value : float
         In the quantity's unit [N, m/s^2, -].
     confirmed : bool
-        Whether somebody who cites the standard has it; never read in the standard itself.
+        Whether it was read where the standard is cited; none was read in the standard itself.
     source : str
         Where the number is from.
     """
@@ -42,12 +42,12 @@ def static_axle_load(vehicle: Vehicle) -> float:
 
 
 def beyond_the_standards(vehicle: Vehicle) -> bool:
-    """Whether its axle load is above what EN 14363 with EN 15687 is for."""
+    """Whether its axle load is above the range of EN 14363 with EN 15687."""
     return static_axle_load(vehicle) > _KN * float(data()["axle_load"]["largest_kN"])
 
 
 def limits(vehicle: Vehicle) -> dict[str, Limit]:
-    """The limits of a vehicle by quantity; a quantity that is not there has none that we know."""
+    """The limits of a vehicle by quantity, as far as one is known."""
     rows = data()["limit"]
     load = static_axle_load(vehicle)
     sum_y = rows["sum_y"]

@@ -1,7 +1,7 @@
 """`standard_assessment`: the quantities of UIC 518 / EN 14363 in the test sections of a run, with limits.
 
 ===========================  =====================================================  =======================
-quantity                     processing                                             value that is judged
+quantity                     processing                                             assessed value
 ===========================  =====================================================  =======================
 `sum_y`                      20 Hz, mean over 2 m every 0.5 m, per wheelset         larger of 0.15, 99.85 %
 `y_over_q`                   the same, per wheel                                    99.85 %
@@ -19,10 +19,10 @@ Y is positive outwards: a climbing flange has positive Y/Q, so the lower percent
 sum Y is the force of a wheelset on the track, positive to the left. f0 is where the spectrum of sum Y has its
 peak; in a run that is stable it is no frequency of hunting, and the effective values are then small.
 
-Filters know nothing beyond the ends of a run: in its last second accelerations are a few per cent off, so
-let a run go on behind the last section that counts.
+A filter continues a run beyond its ends by point reflection: in the last second accelerations are a few per
+cent off, so a run should end behind its last test section.
 
-The statistics over many sections (mean plus a multiple of the deviation) are not made: a run has too few.
+Statistics over many sections (mean plus a multiple of the deviation) are left out: a run has too few.
 """
 
 import math
@@ -46,7 +46,7 @@ from vehicles.description import Vehicle
 from vehicles.stored import from_json
 
 LARGEST_INTERVAL = 0.010  # s: five values in a period of 20 Hz
-_LEAST_LOAD = 0.01  # of the mean Q: what Y is divided by where a wheel is unloaded
+_LEAST_LOAD = 0.01  # of the mean Q: divisor of Y where a wheel is unloaded
 _LOWER, _UPPER = 0, 1
 
 UNITS = {
@@ -103,9 +103,9 @@ class Finding:
     low, high : float
         Percentiles 0.15 and 99.85; NaN where there are none.
     value : float
-        What is judged, positive.
+        The assessed value, positive.
     limit : Limit or None
-        What it is held against; None where we know of none.
+        Its limit; None where none is known.
     """
 
     section: AssessedSection
@@ -141,7 +141,7 @@ class Assessment:
     limits : dict of Limit
         By quantity.
     beyond : bool
-        Whether the axle load is larger than the standards are for.
+        Whether the axle load is above the range of the standards.
     """
 
     vehicle: Vehicle
@@ -221,15 +221,14 @@ def standard_assessment(run: Run, vehicle: int = 1, section_length: float | None
     _check_interval(forces)
     covered = float(forces.s[0].max()), float(forces.s[-1].min())
     sections = cut_sections(case.alignment(), covered, section_length)
-    kept = run.vehicle_text
-    of_vehicle = case.described_vehicle() if kept is None else from_json(kept)
+    described = case.described_vehicle() if run.vehicle_text is None else from_json(run.vehicle_text)
     raw = _sum_y(forces)
     f0 = _peak_frequency(raw, forces.interval)
-    histories = _force_histories(forces, covered) | _acceleration_histories(run, of_vehicle, vehicle, f0)
+    histories = _force_histories(forces, covered) | _acceleration_histories(run, described, vehicle, f0)
     histories["sum_y_rms"] = _in_band(raw, forces.interval, f0)
-    known = limits(of_vehicle)
+    known = limits(described)
     findings = tuple(finding for section in sections for finding in _findings(section, histories, known))
-    return Assessment(of_vehicle, sections, findings, histories, f0, known, beyond_the_standards(of_vehicle))
+    return Assessment(described, sections, findings, histories, f0, known, beyond_the_standards(described))
 
 
 def _check_interval(forces: WheelForces) -> None:
@@ -279,7 +278,7 @@ def _force_histories(forces: WheelForces, covered: tuple[float, float]) -> dict[
 
 
 def _acceleration_histories(run: Run, vehicle: Vehicle, unit: int, f0: float) -> dict[str, History]:
-    """Of the body in the standard's band and below 20 Hz, of the bogies about f0."""
+    """Accelerations of the body in the standard's band and below 20 Hz, of the bogies about f0."""
     how = data()["processing"]
     found = {}
     over_bogies, over_wheelsets = body_places(vehicle, unit), bogie_places(vehicle, unit)
@@ -303,8 +302,8 @@ def _peak_frequency(sum_y: History, interval: float) -> float:
     low, high = data()["processing"]["instability"]["search_Hz"]
     count = min(len(sum_y.values), round(4.0 / interval))
     frequency, density = welch(sum_y.values, 1.0 / interval, nperseg=count, detrend="linear", axis=0)
-    looked = (frequency >= low) & (frequency <= high)
-    return float(frequency[looked][np.argmax(density[looked].mean(axis=1))])
+    searched = (frequency >= low) & (frequency <= high)
+    return float(frequency[searched][np.argmax(density[searched].mean(axis=1))])
 
 
 def _in_band(raw: History, interval: float, f0: float) -> History:

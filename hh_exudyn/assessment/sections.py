@@ -10,14 +10,14 @@ from track.course.sections import Ramp, Section
 STRAIGHT, TRANSITION = "straight", "transition"
 LENGTHS = (10.0, 1000.0)  # m, of a section that the caller chooses
 
-# Surveyed lines are ramps all along, so what counts as straight and as one curve has to be said. Assumed.
+# Surveyed lines consist of ramps: below these bounds they are straight, or one curve. Assumed.
 _STRAIGHT_RADIUS = 5000.0  # m
 _SAME_CURVATURE = 0.1  # relative
 
 
 @dataclass(frozen=True)
 class AssessedSection:
-    """A stretch of track that is assessed by itself.
+    """A test section: a stretch of track with its own values.
 
     Attributes
     ----------
@@ -60,8 +60,8 @@ def cut_sections(
 ) -> tuple[AssessedSection, ...]:
     """The test sections of an alignment that a run covers.
 
-    A straight or curve holds as many sections as there is room for; what is left over lies at its start,
-    where the vehicle still settles. A transition is one section. A stretch without room for one has none.
+    A straight or curve holds as many whole sections as fit; the rest is at its start, where the vehicle still
+    settles. A transition is one section. A stretch shorter than one section has none.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ def _stretches(alignment: Alignment) -> list[AssessedSection]:
 
 
 def _stretch(section: Section, start: float) -> AssessedSection:
-    """A section of the alignment as what it is to the assessment."""
+    """A section of the alignment by the kinds of the assessment."""
     end = start + section.length
     if isinstance(section, Straight):
         return AssessedSection(STRAIGHT, start, end)

@@ -1,4 +1,4 @@
-"""The command ``hh-exudyn``: run a case, demo, damage, playback. It knows everything and computes nothing.
+"""The command ``hh-exudyn``: run a case, demo, playback. It imports every room and computes nothing.
 
 =========  ==================================================================================
 exit code  meaning
@@ -128,7 +128,7 @@ def playback(
 
 
 def _simulated(case: "Case", folder: Path) -> "Run":
-    """Run the case with a progress bar; every way to end early becomes one line and an exit code."""
+    """The run of a case, with a progress bar; an early end is one line and an exit code."""
     from hh_exudyn.multibody.equilibrium import NoEquilibrium
     from hh_exudyn.multibody.simulate import SimulationStopped, simulate
 
@@ -144,7 +144,7 @@ def _simulated(case: "Case", folder: Path) -> "Run":
 
 
 def _show_run(run: "Run") -> None:
-    """Record the run and print its table and where things are."""
+    """Record the run; print its table and the paths of its files."""
     from damage.summary import steady_window, wheelset_summary
     from hh_exudyn.case import Case
     from hh_exudyn.case.numbers import assumed_summary
@@ -166,7 +166,7 @@ def _record(run: "Run", path: Path) -> None:
 
 
 def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) -> Table:
-    """The summary with units, a line per wheel; what belongs to the wheelset stands in its first line."""
+    """The summary with units, a line per wheel; numbers of the wheelset are in the line of its left wheel."""
     table = output.new_table(
         f"Means from {window[0]:.2f} to {window[1]:.2f} s",
         ("wheel", "Q [kN]", "Y [kN]", "Y/Q [-]", "angle\u00a0of attack [mrad]", "lateral position [mm]",
@@ -192,7 +192,7 @@ def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) 
 
 @contextmanager
 def _progress_bar(name: str) -> Iterator[Callable[[float, str], None]]:
-    """A progress bar on stderr, as the function that `simulate` calls; nothing where stderr is a file."""
+    """A progress bar on stderr, advanced by the callback of `simulate`; none where stderr is a file."""
     columns = (TextColumn(name), BarColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
     with Progress(*columns, console=output.err, transient=True, disable=not output.err.is_terminal) as bar:
         task = bar.add_task("equilibrium", total=1.0)

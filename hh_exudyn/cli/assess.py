@@ -33,7 +33,7 @@ _SHOWN = {  # quantity: heading, factor, digits
 
 
 def register(app: typer.Typer) -> None:
-    """Give the command of this file to the program."""
+    """Add the command of this file to the program."""
     app.command()(assess)
 
 
@@ -75,7 +75,7 @@ def _assessed(folder: Path, unit: int, section_length: float | None) -> "Assessm
 
 
 def _show(found: "Assessment", name: str) -> None:
-    """Test sections, the largest values by kind of section, and where their limits are from."""
+    """Test sections, the largest values by kind of section, and the sources of their limits."""
     output.print_table(_section_table(found, name))
     output.print_table(_value_table(found))
     output.print_line(f"f0, the peak of the spectrum of sum Y: {found.instability_frequency:.2f} Hz")

@@ -24,7 +24,7 @@ validate = typer.Typer(help="Compare the toolkit with outside numbers.", no_args
 
 
 def register(app: typer.Typer) -> None:
-    """Give the commands of this file to the program."""
+    """Add the commands of this file to the program."""
     app.command()(patch)
     app.command()(conicity)
     app.add_typer(validate, name="validate")
@@ -86,7 +86,7 @@ def patch(
 def _patch_table(
     load: "PatchLoad", forces: Mapping[str, "CreepForce"], fields: Mapping[str, "TractionField"]
 ) -> Table:
-    """A line per theory; theories without a stress field leave the last two columns open."""
+    """A line per theory; dashes in the last two columns for theories without a stress field."""
     from hh_exudyn.contact.tangential.api import cell_areas
 
     limit = load.friction * load.normal_force
@@ -218,7 +218,7 @@ def _conicity_table(title: str, reports: Mapping[str, "ConicityReport"]) -> Tabl
 
 
 def _summary(report: "ConicityReport") -> str:
-    """What stands beside the table."""
+    """Flange clearance, conicity at 3 mm and nonlinearity of a report, in one line."""
     return (
         f"flange touches at {output.number(1e3 * report.clearance_right, 2)} and "
         f"{output.number(1e3 * report.clearance_left, 2)} mm, "
@@ -228,7 +228,7 @@ def _summary(report: "ConicityReport") -> str:
 
 
 def _theories(wanted: list[str]) -> list[str]:
-    """The theories asked for, all without a wish, in the order of the toolkit's own list."""
+    """The named theories in the order of the registry; all of them where none is named."""
     from hh_exudyn.contact.tangential.registry import THEORIES
 
     for name in wanted:

@@ -1,4 +1,4 @@
-"""The command about damage: ``damage`` gives wear and fatigue of a run's wheels. It computes nothing.
+"""The command ``damage``: wear and fatigue of a run's wheels. It computes nothing itself.
 
 Millimetres and kilometres exist here and nowhere deeper. Everything heavy is imported inside the functions:
 ``--help`` answers at once.
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class Surface(StrEnum):
-    """State of the wheel-rail surface, as Archard's law has it."""
+    """State of the wheel-rail surface in Archard's wear chart."""
 
     dry = "dry"
     lubricated = "lubricated"
@@ -35,7 +35,7 @@ FIGURE_DISTANCE = 50_000.0  # km, of the figures without --distance-km: as in Ho
 
 
 def register(app: typer.Typer) -> None:
-    """Give the commands of this file to the program."""
+    """Add the command of this file to the program."""
     app.command()(damage)
 
 
@@ -72,7 +72,7 @@ def damage(
 
 
 def _options(model: str, surface: Surface | None, theory: str, material: str) -> dict[str, Any]:
-    """What `assess` takes for the names on the command line; a wrong one is refused."""
+    """Arguments of `damage.report.assess` for the names on the command line; an unknown one is bad input."""
     from damage.material import wheel_material
     from damage.surface.patch_field import theory_number
     from damage.wear.laws import wear_law
@@ -84,7 +84,7 @@ def _options(model: str, surface: Surface | None, theory: str, material: str) ->
 
 
 def _assessed(run: "Run", skip_bad_rows: bool = False, **options: Any) -> "DamageReport":
-    """The damage of a run; what its log lacks is bad input."""
+    """The damage of a run; a log without the necessary columns or with bad rows is bad input."""
     from damage.report import assess
 
     with output.status("damage"):
@@ -151,7 +151,7 @@ def show_damage(
 
 
 def _figures(run: "Run", report: "DamageReport", distance: float) -> "dict[str, Figure]":
-    """The figures by the name of their file; the map is of the wheel with most fatigue on its tread."""
+    """The figures by file name; the map shows the wheel with most fatigue on its tread."""
     from damage.figures.profile_panels import fatigue_figure, wear_figure
     from damage.figures.rcf_bins import rcf_bins_figure
     from damage.figures.rcf_maps import energy_map_figure
@@ -200,7 +200,7 @@ DISTANCE_COLUMNS: Columns = {
 
 
 def _table_of(title: str, table: "pyarrow.Table", columns: Columns) -> Table:
-    """A line per wheel; the file has more columns. What wear law or steel do not give is not there."""
+    """A line per wheel with the most important columns of the file, as far as the wear law gives them."""
     shown = {name: column for name, column in columns.items() if name in table.column_names}
     lines = output.new_table(title, ("wheel", *(heading for heading, _, _ in shown.values())))
     rows = table.to_pylist()

@@ -1,4 +1,4 @@
-"""What the commands take: arguments they have in common, and the refusal of bad ones before any work."""
+"""Input of the commands: common arguments, and the refusal of bad input before any work."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager

@@ -1,4 +1,4 @@
-"""What the commands give: lines, tables that fit the terminal, files, errors in one line with exit code."""
+"""Output of the commands: lines, tables that fit the terminal, files, errors in one line with exit code."""
 
 import math
 import tempfile
@@ -57,14 +57,14 @@ def errors_in_one_line(folder: Path | None = None) -> Iterator[None]:
 
 
 def log_place(folder: Path | None) -> str:
-    """Where the log so far is."""
+    """The folder of the log so far, as part of a message."""
     if folder is None or not (folder / "case.toml").is_file():
         return "nothing was written"
     return f"the log so far is kept in {folder}"
 
 
 def _written_traceback(folder: Path | None) -> Path:
-    """Write the traceback at hand into the run's folder, or a temporary one where that cannot be written."""
+    """Write the current traceback into the run's folder, or a temporary one where that is read-only."""
     text = traceback.format_exc()
     if folder is not None:
         path = folder / "error.txt"
@@ -101,7 +101,7 @@ def new_table(title: str, headings: tuple[str, ...]) -> Table:
 
 
 def print_table(table: Table) -> None:
-    """The title on a line of its own, and whole columns also where the output is a file or a narrow pipe."""
+    """Print the title in its own line, and the columns in full width also into a file or a narrow pipe."""
     wide = out if out.is_terminal else Console(width=TABLE_WIDTH)
     print_line(str(table.title))
     table.title = None  # rich would break it at the table's width
@@ -114,13 +114,13 @@ def number(value: float, digits: int) -> str:
 
 
 def write_figure(figure: "Figure", path: Path, option: str = "--out") -> None:
-    """Write a figure, as a new file of the option, and print where it is. Raises BadInput where it cannot."""
+    """Write a figure into the file of an option and print its path. Raises BadInput where it cannot."""
     with _written(path, option, "figure"):
         figure.savefig(path, dpi=DOTS_PER_INCH)
 
 
 def write_table(table: "pyarrow.Table", path: Path, option: str) -> None:
-    """Write a table (.csv), as a new file of the option, and print where it is. Raises BadInput where not."""
+    """Write a table (.csv), as `write_figure` does."""
     import pyarrow.csv
 
     with _written(path, option, "table"):
@@ -129,7 +129,7 @@ def write_table(table: "pyarrow.Table", path: Path, option: str) -> None:
 
 @contextmanager
 def _written(path: Path, option: str, kind: str) -> Iterator[None]:
-    """Print where the file is, once it is written; a file that cannot be written is bad input."""
+    """Print the path of a file after it is written; a file that cannot be written is bad input."""
     try:
         yield
     except OSError as error:

@@ -31,7 +31,7 @@ _OF_A_LINE = {"length", "country", "curve", "gauge"}  # and of a line's file
 
 
 def register(app: typer.Typer) -> None:
-    """Give the commands of this file to the program."""
+    """Add the commands of this file to the program."""
     app.add_typer(track, name="track")
 
 
@@ -48,11 +48,11 @@ def plot(
     figure: inputs.NewFigure = None,
     speed_km_h: Annotated[
         float | None,
-        typer.Option(metavar="km/h", help="Of a case: judge cant and quality at it. [default: the case's]"),
+        typer.Option(metavar="km/h", help="Speed of a case, for cant and quality. [default: the case's]"),
     ] = None,
     vehicle: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="Of a line: whose speeds hold. [default: the first in its file]"),
+        typer.Option(metavar="NAME", help="Vehicle of a line's speeds. [default: the first in its file]"),
     ] = None,
 ) -> None:
     """Sections, irregularities and quality of a case's track; or a line's classes and their shares."""
@@ -136,7 +136,7 @@ def _show_case(path: Path, speed_km_h: float | None, figure: Path | None) -> Non
 
 
 def _irregularity(case: "Case", alignment: "Alignment") -> "Irregularity | None":
-    """The irregularities of a run of the case: another length would be another random track."""
+    """The irregularities of the case over the length of its run (random track depends on the length)."""
     from vehicles.start import start_front
 
     with inputs.refused_as_bad_input():
@@ -144,7 +144,7 @@ def _irregularity(case: "Case", alignment: "Alignment") -> "Irregularity | None"
 
 
 def _quality(irregular: "Irregularity | None", end: float, speed: float) -> "tuple[TrackQuality | None, str]":
-    """Quality of the sections up to the end of the track [m]; without, why there is none."""
+    """Quality of the sections up to the end of the track [m]; None with the reason where there is none."""
     from track.irregularity.quality import track_quality
 
     if irregular is None:
@@ -201,7 +201,7 @@ def _section_table(title: str, alignment: "Alignment", speed: float) -> Table:
 
 
 def _grade_table(alignment: "Alignment") -> Table:
-    """A line per grade: where it lies, its gradient or that of both its ends, the vertical radius."""
+    """A line per grade: both ends and the gradients there, and the vertical radius."""
     table = output.new_table(
         "Gradients",
         ("from [m]", "to [m]", "from [\u2030]", "to [\u2030]", "vertical\u00a0radius [m]"),
@@ -230,7 +230,7 @@ def _grade_table(alignment: "Alignment") -> Table:
 
 
 def _survey_line(alignment: "Alignment") -> str:
-    """What a line of surveyed points comes to: its cells are too many to be listed."""
+    """Ranges of curvature, cant and gradient of a surveyed alignment, which is too long for a table."""
     table = alignment.table
     turn, slope = table.curvature, 1e3 * table.gradient
     return (

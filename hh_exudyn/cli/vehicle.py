@@ -29,7 +29,7 @@ Source = Annotated[
 
 
 def register(app: typer.Typer) -> None:
-    """Give the commands of this file to the program."""
+    """Add the commands of this file to the program."""
     app.add_typer(vehicle, name="vehicle")
 
 
@@ -72,7 +72,7 @@ def show(source: Source, figure: NewDrawing = None) -> None:
         if variant.name != variant.base:
             output.print_line(f"based on {variant.base}, {_difference_count(len(changes))}")
         if changes:
-            output.print_table(_difference_table(f"What is not as in {variant.base}", changes, variant.base))
+            output.print_table(_difference_table(f"Differences from {variant.base}", changes, variant.base))
         output.print_table(_mass_table(described))
         output.print_table(_axle_table(described))
         if figure is not None:
@@ -97,7 +97,7 @@ def compare(first: Source, second: Source) -> None:
 
 
 def _variant(source: str) -> "Variant":
-    """The vehicle of a name or file; what is neither is refused."""
+    """The vehicle of a name or file; anything else is bad input."""
     from vehicles.variants import find_variant
 
     with inputs.refused_as_bad_input():
@@ -105,7 +105,7 @@ def _variant(source: str) -> "Variant":
 
 
 def _difference_count(count: int) -> str:
-    """How many numbers differ."""
+    """Number of differences, as part of a message."""
     return "1 number differs" if count == 1 else f"{count or 'no'} numbers differ"
 
 
@@ -133,7 +133,7 @@ _MARKS = {"assumed": "?", "variant": "!"}
 
 
 def _count(parameters: "ParameterSet") -> str:
-    """How many numbers are known in which way."""
+    """Counts of published, derived, assumed and changed numbers, in one line."""
     from hh_exudyn.sourced import KINDS, VARIANT
 
     counts = {kind: len(parameters.of_kind(kind)) for kind in (*KINDS, VARIANT)}
@@ -146,7 +146,7 @@ def _count(parameters: "ParameterSet") -> str:
 
 
 def _difference_table(title: str, found: "tuple[Difference, ...]", base: str) -> Table:
-    """A line per number that is not the same; a dash where one of the two does not have it."""
+    """A line per number that differs; a dash where one of the two vehicles lacks it."""
     table = _text_table(title, ("number", "unit", f"in\u00a0{base}", "here", "source"))
     for one in found:
         shown = one.after or one.before
@@ -166,7 +166,7 @@ def _value(parameter: "Parameter | None") -> str:
 
 
 def _text_table(title: str, headings: tuple[str, ...]) -> Table:
-    """A table whose last column is text that goes on in the next line."""
+    """A table with wrapped text in its last column."""
     table = output.new_table(title, headings)
     for column, heading in zip(table.columns, headings, strict=True):
         if heading in ("part", "number", "unit", "", "source"):
@@ -177,7 +177,7 @@ def _text_table(title: str, headings: tuple[str, ...]) -> Table:
 
 
 def _mass_table(described: "Vehicle") -> Table:
-    """A line per kind of bodies alike."""
+    """A line per group of equal bodies."""
     table = output.new_table(
         f"Masses of {described.name}, {1e-3 * described.mass:.2f} t",
         ("body", "number", "mass [kg]", "Ix [kg m²]", "Iy [kg m²]", "Iz [kg m²]", "height [m]"),

@@ -1,4 +1,4 @@
-"""Figure of an assessed run: processed quantities along the track, and how much of each limit is used."""
+"""Figure of an assessed run: processed quantities along the track, and their shares of the limits."""
 
 import numpy as np
 from matplotlib import rc_context
@@ -35,7 +35,7 @@ _ROOM = 3.0  # a limit that many times beyond the curves is written, not drawn
 
 
 def assessment_sheet(title: str, assessment: Assessment) -> Figure:
-    """Histories with their limits over the arc length, then the share of its limit that each place takes.
+    """Histories with their limits over the arc length, then the value over limit of each place.
 
     A limit that is not confirmed is dashed, and its marks are hollow; one far beyond the curves is written.
 
@@ -86,7 +86,7 @@ def _draw_course(axes: Axes, name: str, assessment: Assessment) -> None:
 
 
 def _draw_limit(axes: Axes, value: float, confirmed: bool, two_sided: bool) -> None:
-    """A limit as a line; as a remark where it would press the curves flat."""
+    """A limit as a line; as a note where its line would need a much larger scale than the curves."""
     low, high = axes.get_ylim()
     if value > _ROOM * max(-low, high):
         sign, mark = "±" if two_sided else "", "" if confirmed else ", unconfirmed"
@@ -136,7 +136,7 @@ def _draw_shares(axes: Axes, assessment: Assessment) -> None:
 
 
 def _key(assessment: Assessment) -> list[Line2D | Patch]:
-    """What lines and shades mean."""
+    """Legend of lines and shades."""
     wheelsets = assessment.histories["sum_y"].places
     return [
         *(Line2D([], [], color=wheelset_colour(i), label=name) for i, name in enumerate(wheelsets)),

@@ -1,4 +1,4 @@
-"""One sheet of a wheel on a rail: conicity, rolling radius difference and where wheel and rail touch."""
+"""One sheet of a wheel on a rail: conicity, rolling radius difference and contact positions."""
 
 from collections.abc import Mapping
 

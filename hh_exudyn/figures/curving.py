@@ -1,4 +1,4 @@
-"""Figure of curving: what every wheelset or wheel does in full curves, over their radius."""
+"""Figure of curving: quantities of every wheelset or wheel in full curves, over their radius."""
 
 from collections.abc import Mapping
 

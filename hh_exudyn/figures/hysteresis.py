@@ -1,4 +1,4 @@
-"""Figure of friction loops: force over deflection, one panel each, with what a cycle takes."""
+"""Figure of friction loops: force over deflection, one panel each, with the energy of a cycle."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -24,7 +24,7 @@ class Panel(NamedTuple):
 
 
 def friction_loops(title: str, panels: Sequence[Panel]) -> Figure:
-    """Loops of force over deflection; grey is what a cycle takes, arrows go with time.
+    """Loops of force over deflection; the grey area is the energy of a cycle, arrows go with time.
 
     Raises
     ------

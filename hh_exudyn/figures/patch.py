@@ -1,8 +1,8 @@
-"""One contact patch as all theories see it: figures like 2-6 and 2-8 of Hossein-Nia (KTH, 2018).
+"""One contact patch after all theories: figures like 2-6 and 2-8 of Hossein-Nia (KTH, 2018).
 
 A column per theory with a stress field. From above: the traction on the wheel with the border of stick and
 slip; the traction along the strip in the patch's middle, under its bound friction * pressure; the slip
-velocity. At the bottom the forces of all theories, also of those that know forces only.
+velocity. At the bottom the forces of all theories, those without a stress field included.
 
 The patch is seen from above, in the contact frame: rolling direction to the right, left of the track up.
 """
@@ -26,13 +26,13 @@ _X_COLOUR, _Y_COLOUR, _MOMENT_COLOUR = "#2b5c8a", "#c2571a", "#7a7a7a"
 _ARROWS = 9  # arrows along and across the patch
 _LONGEST_ARROW, _LONGEST_MAP, _STRIP_HEIGHT = 0.3, 2.2, 1.7  # inch
 _SHOWN_SLIP = 98.0  # percentile of the slip velocity that the colours end at: it peaks at the trailing edge
-_LONGEST_BAR = 1.25  # friction * normal force; the linear theory knows no limit
+_LONGEST_BAR = 1.25  # friction * normal force; the linear theory has no limit
 _MARGIN = 1.12
 
 
 @dataclass(frozen=True)
 class PatchLoad:
-    """What a patch carries and how it creeps.
+    """Size, load, creepages and friction of a patch.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class PatchLoad:
 
     @property
     def arguments(self) -> tuple[float, float, float, float, float, float, float]:
-        """What `creep_force` and `traction_field` take after the theory."""
+        """Arguments of `creep_force` and `traction_field` after the theory."""
         return self.a, self.b, self.normal_force, self.nu_x, self.nu_y, self.phi, self.friction
 
 

@@ -113,13 +113,13 @@ def draw_quality(
         )
         axes.set_ylabel(f"std of {name}\n3-25 m [mm]")
         axes.grid(alpha=0.3, axis="y")
-        for mark, limit, stands in zip(
+        for mark, limit, align in zip(
             CLASSES, () if limits is None else limits[j], ("top", "bottom", "center"), strict=False
         ):
             axes.axhline(1e3 * limit, color="black", linestyle="--", linewidth=0.7)
             axes.annotate(
                 mark, (1.0, 1e3 * limit), xycoords=("axes fraction", "data"), xytext=(2, 0),
-                textcoords="offset points", va=stands, fontsize=6,
+                textcoords="offset points", va=align, fontsize=6,
             )  # fmt: skip
     handles = [Patch(color=_COLOURS[name], label=name) for name in CLASSES]
     panels[0].legend(
@@ -198,7 +198,7 @@ def _cant_bar(part: TrackSection) -> float:
 
 
 def _speed_bar(part: TrackSection) -> float:
-    """Speed [km/h], without what the way to m/s and back has left."""
+    """Speed [km/h], without the rounding of the conversion to m/s and back."""
     return round(3.6 * part.speed, 1)
 
 

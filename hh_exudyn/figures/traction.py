@@ -1,4 +1,4 @@
-"""Figures of a locomotive: its drives over time, what a train asks of them, and how it curves."""
+"""Figures of a locomotive: drives over time, efforts of a train over speed, bogies in curves."""
 
 from collections.abc import Callable, Mapping, Sequence
 
@@ -78,9 +78,9 @@ def effort_figure(
     gradients: Sequence[float],
     top_speed: float,
 ) -> Figure:
-    """What all units can pull and brake over speed, and what a train asks of them on gradients.
+    """Largest traction and braking effort of all units over speed, and the effort for a train on gradients.
 
-    Where a demand meets the limit is the speed that the train holds there.
+    The train holds the speed at which its effort meets the limit.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""A vehicle to scale, side and top view, from the description that a run uses.
+"""A vehicle to scale, side and top view, from the description of a run.
 
 Wheels have their true radius; couplings are marks at their points, rods lines between theirs; bodies are the
 boxes of `vehicles.outline`.
@@ -88,7 +88,7 @@ def _draw_box(axes: Axes, body: Body, box: tuple[FloatArray, FloatArray], view: 
 
 
 def _draw_couplings(axes: Axes, vehicle: Vehicle, view: tuple[int, int]) -> None:
-    """A mark for every kind of coupling, a line for what has two points."""
+    """A mark for every kind of coupling, a line for rods, which have two points."""
     i, j = view
     kinds = dict.fromkeys(type(coupling).__name__ for coupling in vehicle.couplings)
     for kind, mark in zip(kinds, cycle(_MARKS), strict=False):

@@ -1,4 +1,4 @@
-"""Figures of the forces of wheels on rails: how they are distributed, and what frequencies are in them."""
+"""Figures of the forces of wheels on rails: distributions and spectra."""
 
 from collections.abc import Mapping
 
@@ -23,8 +23,8 @@ def force_histograms(
 ) -> Figure:
     """Distribution of a force at every wheel, a panel each; least and largest values as lines.
 
-    As Figures 1-20 and 1-21 of Hossein-Nia (2018): blue and red lines bound the calculated forces, grey is
-    what was measured. All histograms have the area 1.
+    As Figures 1-20 and 1-21 of Hossein-Nia (2018): blue and red lines bound the calculated forces, grey are
+    measured forces. All histograms have the area 1.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ def force_histograms(
     label : str
         Of the force, without unit: "Q".
     forces : mapping of (n, wheelsets, 2) arrays
-        Of the left and right wheels [N], by what they have in common, such as the load of the wagon.
+        Of the left and right wheels [N], by a name for the legend, such as the load of the wagon.
     measured : (n, wheelsets, 2) array or None
         Measured forces of the same wheels [N]; None, the default, for none.
 
@@ -84,11 +84,11 @@ def _wheel_panels(
 def _draw_range(axes: Axes, values: FloatArray, place: int, name: str) -> None:
     """The histogram of the group at a place, with its least and largest value [kN]."""
     axes.hist(values, BINS, density=True, color=_COLOURS[place % len(_COLOURS)], alpha=0.6, label=name)
-    for value, line, stands in ((values.min(), _LOWEST, "right"), (values.max(), _HIGHEST, "left")):
+    for value, line, align in ((values.min(), _LOWEST, "right"), (values.max(), _HIGHEST, "left")):
         axes.axvline(value, color=line, linewidth=1.0, linestyle=_STYLES[place % len(_STYLES)])
         axes.annotate(
             f"{round(value) + 0.0:.0f}", (value, 0.97 - 0.13 * place), xycoords=("data", "axes fraction"),
-            xytext=(-2 if stands == "right" else 2, 0), textcoords="offset points", va="top", ha=stands,
+            xytext=(-2 if align == "right" else 2, 0), textcoords="offset points", va="top", ha=align,
             color=line, fontsize=7,
         )  # fmt: skip
 
@@ -111,7 +111,7 @@ def force_spectra(
     spectra : mapping of (m,) and (m, wheelsets, 2) arrays
         Frequency [Hz] and density [N^2/Hz], by the name of the run.
     marks : mapping of float or None
-        Frequencies [Hz] to mark with a line and what stands for; None, the default, for none.
+        Frequencies [Hz] of vertical lines, by their name for the legend; None, the default, for none.
     highest : float
         End of the frequency axis [Hz].
 

@@ -1,8 +1,8 @@
 """Poses relative to frames that single precision can hold.
 
 Rerun keeps positions in single precision, which is 1 mm wide at 10 km. So every position is sent relative
-to a near frame whose own pose is ROUNDED to single precision first: what is lost in the frame is kept in
-the relative pose, and both put together again give the position of the log to better than 1 um.
+to a near frame, and the pose of that frame is ROUNDED to single precision first: the relative pose holds the
+rounding, and both together give the position of the log to better than 1 um.
 """
 
 from typing import NamedTuple
@@ -60,8 +60,8 @@ def single(position: FloatArray) -> FloatArray:
 def moving_frame(alignment: Alignment, s: FloatArray) -> Poses:
     """The frame that follows a vehicle at arc lengths s (n,) [m]: on the centre line, x ahead, z upright.
 
-    It turns with the track's heading alone, so that cant and gradient are seen as what they are. Its poses
-    are those that single precision holds. Errors as `track_frames`.
+    It turns with the track's heading alone, so that cant and gradient show in the picture. Its poses are
+    exact in single precision. Errors as `track_frames`.
     """
     frames = track_frames(alignment, s)
     turn = upright(frames.rotation)

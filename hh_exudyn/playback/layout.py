@@ -8,8 +8,8 @@ from vehicles.description import Vehicle
 from vehicles.outline import vehicle_box
 
 SKY = (196, 209, 222)
-USUAL_LENGTH = 10.29  # of the vehicle that the eye stands for; farther from longer ones [m]
-SHORTEST = 2.2  # length of vehicle that the eye comes nearer to [m]
+USUAL_LENGTH = 10.29  # of the vehicle for which EYE holds; the eye is farther from longer ones [m]
+SHORTEST = 2.2  # length of a vehicle below which the eye comes no nearer [m]
 EYE = (6.95, 6.9, 1.95)  # from what it looks at [m]
 LOOK_AT_HEIGHT = 1.55
 CONTACT_EYE = (1.476, 1.2, 0.75)  # from the middle of the leading axle's shadow [m]

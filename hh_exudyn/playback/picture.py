@@ -29,7 +29,7 @@ _DRIVER_FOLDERS = ("/usr/share/vulkan/icd.d", "/etc/vulkan/icd.d", "/usr/local/s
 
 
 class PictureError(RuntimeError):
-    """No picture: the viewer or a Vulkan driver is missing, or the viewer gave up; the message says which."""
+    """No picture, with the reason: no viewer, no Vulkan driver, or a viewer that ended early."""
 
 
 def viewer_program() -> Path:

@@ -43,12 +43,12 @@ from track.course.alignment import Alignment
 from vehicles.description import Vehicle
 from vehicles.stored import from_json
 
-SIGHT = 150.0  # track drawn before and behind the vehicle's way [m]
+SIGHT = 150.0  # track drawn beyond both ends of the vehicle's path [m]
 
 
 @dataclass(frozen=True)
 class Scene:
-    """What stands around a log: vehicle, shapes, track and strength.
+    """The surroundings of a log: vehicle, shapes, track and strength.
 
     Attributes
     ----------
@@ -100,13 +100,13 @@ def record(run: Run, path: Path | str, *, every: int = 1, vehicle: int | None = 
     Parameters
     ----------
     run
-        The run on disk; the scene is built from its case and the vehicle that it keeps.
+        The run on disk; the scene is built from its case and its copy of the vehicle.
     path
         File to write.
     every
         Only every n-th output time is taken, from 1.
     vehicle
-        Number of the vehicle in the run whose wheels are shown; None: all.
+        Number of the vehicle in the run, to show its wheels alone; None: those of all.
 
     Raises
     ------
@@ -191,7 +191,7 @@ def _send_wheels(
     s: FloatArray,
     vehicle: int | None,
 ) -> None:
-    """All that comes from the contact log."""
+    """The entities of the contact log: shakedown diagram, forces and patches, time series."""
     when = clock(times, s)
     send_diagram(stream)
     shown = np.unique(contact["vehicle"].to_numpy()).tolist() if vehicle is None else [vehicle]
@@ -217,7 +217,7 @@ def _bodies(motion: pyarrow.Table, every: int) -> dict[str, dict[str, FloatArray
 
 
 def _thinned(contact: pyarrow.Table, times: FloatArray, every: int) -> pyarrow.Table:
-    """The contact log at the times that are kept."""
+    """The contact log at the given times."""
     if every == 1:
         return contact
     return contact.filter(pyarrow.array(np.isin(contact["time"].to_numpy(), times)))

@@ -1,4 +1,4 @@
-"""What a recording holds: the columns and static things sent to rerun, entity by entity."""
+"""The entities of a recording: columns and static meshes for rerun, a function each."""
 
 from collections.abc import Mapping, Sequence
 
@@ -22,7 +22,7 @@ Clock = Sequence[rr.TimeColumn]
 
 FORCE_SCALE = 0.6e-5  # length of a normal force's arrow [m/N]: 100 kN are 0.6 m
 CREEP_FORCE_SCALE = 3.0e-5  # creep forces are drawn five times longer
-ARROW_OFFSET = 0.48  # forces are drawn this far outside of their contacts, where they are seen [m]
+ARROW_OFFSET = 0.48  # of forces, outwards from their contacts, where no wheel hides them [m]
 PATCH_SCALE = 25.0  # patches are drawn larger
 PATCH_THICKNESS = 0.006  # [m]
 NORMAL_COLOUR = (60, 190, 255)
@@ -45,7 +45,7 @@ def clock(times: FloatArray, s: FloatArray) -> Clock:
 
 
 def send_mesh(stream: rr.RecordingStream, entity: str, mesh: trimesh.Trimesh) -> None:
-    """A mesh for good."""
+    """A mesh, static."""
     shape = shaded(mesh)
     stream.log(
         entity,
@@ -138,7 +138,7 @@ def _heat(share: FloatArray) -> NDArray[np.uint8]:
 
 
 def _colour(wheel: str) -> tuple[int, ...]:
-    """Of a wheel by its name; darker from the second unit on."""
+    """Colour of a wheel by its name; darker from the second unit on."""
     unit, _, name = wheel.rpartition(".")
     colour = WHEEL_COLOURS.get(name, OTHER_COLOUR)
     return colour if unit in ("", "1") else tuple(2 * part // 3 for part in colour)

@@ -1,4 +1,4 @@
-"""Showing a recording to a person."""
+"""The viewer in a window."""
 
 import os
 import subprocess

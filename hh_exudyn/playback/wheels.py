@@ -1,4 +1,4 @@
-"""The contact log by wheel: forces, creepages, fatigue index and where the patches lie."""
+"""The contact log by wheel: forces, creepages, fatigue index and places of the patches."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass

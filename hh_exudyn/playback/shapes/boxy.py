@@ -1,4 +1,4 @@
-"""Bodies of any vehicle, as far as boxes and couplings tell what they look like.
+"""Bodies of any vehicle, by their boxes and couplings.
 
 Built in the drawing frame (x forward from the vehicle's middle, y left, z up from the rail tops).
 """
@@ -40,7 +40,7 @@ SMALLEST_HEIGHT = 1.2  # of a body with roof and windows [m]
 
 
 def plain_box(vehicle: Vehicle, body: Body) -> trimesh.Trimesh:
-    """The box that stands for a body."""
+    """The box of a body."""
     low, high = body_box(vehicle, body)
     return box(low.tolist(), high.tolist(), COLOURS[body.kind])
 
@@ -48,7 +48,7 @@ def plain_box(vehicle: Vehicle, body: Body) -> trimesh.Trimesh:
 def car_body(vehicle: Vehicle, body: Body) -> trimesh.Trimesh:
     """Sill, walls and a vaulted roof in the body's box above the wheels, with its coupler heads.
 
-    A vehicle with drives has raked fronts with windows. What is lower than a room stays a box.
+    A vehicle with drives has raked fronts with windows. A body lower than `SMALLEST_HEIGHT` stays a box.
     """
     low, high = body_box(vehicle, body)
     foot = _foot(vehicle, low)
@@ -180,7 +180,7 @@ def _secondary_springs(vehicle: Vehicle, frame: Body, seat: float) -> list[trime
 
 
 def _foot(vehicle: Vehicle, low: FloatArray) -> float:
-    """Lowest height of a car body, which is above the wheels [m]."""
+    """Lowest height of a car body, clear of the wheels [m]."""
     wheels = max((wheelset.radius for wheelset in vehicle.wheelsets), default=0.0)
     return max(float(low[2]), 2 * wheels + FLOOR_GAP)
 

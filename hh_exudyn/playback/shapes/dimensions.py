@@ -1,4 +1,4 @@
-"""The lengths that the ore wagon is drawn from, all of them read off the vehicle that runs."""
+"""The dimensions of an ore wagon for its drawing, all taken from the vehicle that runs."""
 
 from dataclasses import dataclass, fields
 from typing import TypeVar
@@ -54,15 +54,15 @@ _COUPLINGS = (CentrePlate, SideBearer, SpringNest, Wedge)
 
 
 def is_ore_wagon(vehicle: Vehicle) -> bool:
-    """Whether a description has all that an ore wagon has, and its kinds of bodies and no others."""
+    """Whether a description has the outline, bodies and couplings of an ore wagon, and no other bodies."""
     return not _missing(vehicle) and {body.kind for body in vehicle.bodies} == {*_BODIES, "wheelset"}
 
 
 def wagon_dimensions(vehicle: Vehicle) -> WagonDimensions:
     """The lengths of a described wagon, by its first unit: its units are alike.
 
-    Bodies, wheelsets and couplings give what they have, so that the drawing shows what runs;
-    `Vehicle.dimensions` gives the outline of the car body.
+    Places come from bodies, wheelsets and couplings; the outline of the car body, which none of them has,
+    from `Vehicle.dimensions`.
 
     Raises
     ------
@@ -105,7 +105,7 @@ def _first(vehicle: Vehicle, kind: type[T]) -> T:
 
 
 def _missing(vehicle: Vehicle) -> list[str]:
-    """What a description lacks of an ore wagon's."""
+    """Bodies, couplings and lengths of an ore wagon that a description lacks."""
     kinds = {body.kind for body in vehicle.bodies}
     couplings = {type(one) for one in vehicle.couplings}
     return [

@@ -130,9 +130,9 @@ def _spring_seat(size: WagonDimensions) -> float:
 
 
 def _springs(size: WagonDimensions, seat: float) -> list[trimesh.Trimesh]:
-    """Coils of the nest as they are seen from both sides, with cores that stand for the inner coils.
+    """Outer coils of the nest, with cores in place of the inner coils.
 
-    The outer ones along the bogie carry the wedges and end below them.
+    The foremost and rearmost carry the wedges and end below them.
     """
     parts = []
     below_wedge = size.wedge_height - 0.5 * WEDGE_FACE - seat

@@ -1,8 +1,8 @@
 """Shapes of all bodies of a vehicle, each about its own centre of mass, made from its description.
 
-They look like what they stand for as far as the description goes: an ore wagon, whose lengths it has, as
-hopper and three-piece bogies; others as boxes, frames and motors of the sizes of `vehicles.outline`. Wheels
-are turned from their profile with their true radius. No dynamics reads shapes.
+An ore wagon is drawn as hopper and three-piece bogies; other vehicles as boxes, frames and motors of the
+sizes of `vehicles.outline`. Wheels are turned from their profile with their true
+radius. No dynamics reads shapes.
 """
 
 import numpy as np
@@ -44,7 +44,7 @@ def vehicle_shapes(vehicle: Vehicle, tread: FloatArray) -> dict[str, trimesh.Tri
 
 
 def _journal(vehicle: Vehicle, wheelset: Body) -> float:
-    """Half the distance of a wheelset's bearings, where its outermost couplings are [m]."""
+    """Half the distance of a wheelset's bearings, which are at its outermost couplings [m]."""
     outermost = [abs(point[1]) for name, point in attachments(vehicle) if name == wheelset.name]
     return max(outermost, default=0.0)
 
@@ -64,7 +64,7 @@ def _of_wagon(size: WagonDimensions, body: Body) -> dict[str, trimesh.Trimesh]:
 
 
 def _of_any(vehicle: Vehicle, body: Body) -> trimesh.Trimesh:
-    """A body of a vehicle of which no more is known than its description."""
+    """A body of any other vehicle."""
     made = {"car_body": car_body, "bogie_frame": bogie_frame, "motor": motor}.get(body.kind, plain_box)
     mesh = made(vehicle, body)
     mesh.apply_translation(-np.array(body.position))
