@@ -9,7 +9,7 @@ from typing import get_args
 
 import pytest
 
-from hh_exudyn.case.track import ContactCase
+from hh_exudyn.case.contact import ContactCase
 from hh_exudyn.contact.normal.registry import NORMAL, check_combination
 from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, RUN_THEORIES, TANGENTIAL, THEORIES
 from hh_exudyn.contact.tangential.validation import contact_table

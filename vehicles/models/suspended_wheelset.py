@@ -98,8 +98,8 @@ def critical_speed_closed_form(
 
         V^2 [(k_y - (m + I e^2) w^2)(k_psi - I w^2) + c1 p] - c1 k c2 w^2 - h^2 V^4 w^2 = 0.
 
-    Own derivation; without roll (e = 0) it is the classical one (for example Wickens 2003, chapter 5, quoted
-    from memory), and linear in V^2. Its eleven arguments are the symbols of the equations.
+    Own derivation; for e = 0 the classical one (Wickens 2003, chapter 5, from memory), linear in V^2. Its
+    eleven arguments are the symbols of the equations.
 
     Parameters
     ----------
@@ -112,10 +112,8 @@ def critical_speed_closed_form(
 
     Returns
     -------
-    speed : float
-        [m/s]; infinite where the springs hold the wheelset at any speed.
-    frequency : float
-        w/(2 pi) of the motion there [Hz].
+    speed, frequency : float
+        [m/s], infinite where the springs hold the wheelset at any speed; w/(2 pi) of the motion there [Hz].
 
     Raises
     ------
@@ -132,27 +130,36 @@ def critical_speed_closed_form(
         ("radius", radius, "m"),
         ("lateral_stiffness + yaw_stiffness", min(lateral_stiffness + yaw_stiffness, 1.0), "N/m, N m/rad"),
     )
-    if min(roll, spin_inertia) < 0.0:
-        raise ValueError(f"roll {roll} rad/m, spin_inertia {spin_inertia} kg m^2: must be >= 0")
-    if min(lateral_stiffness, yaw_stiffness) < 0.0:
-        raise ValueError(f"stiffness {lateral_stiffness} N/m, {yaw_stiffness} N m/rad: must be >= 0")
-    moved = 1.0 + radius * roll
-    rolling_mass = mass + yaw_inertia * roll**2
-    c1 = 2.0 * lateral_creep * moved
-    c2 = 2.0 * longitudinal_creep * half_distance**2
+    _require_not_negative(("roll", roll, "rad/m"), ("spin_inertia", spin_inertia, "kg m^2"))
+    _require_not_negative(
+        ("lateral_stiffness", lateral_stiffness, "N/m"), ("yaw_stiffness", yaw_stiffness, "N m/rad")
+    )
+    moved, rolling_mass = 1.0 + radius * roll, mass + yaw_inertia * roll**2
+    c1, c2 = 2.0 * lateral_creep * moved, 2.0 * longitudinal_creep * half_distance**2
     steering = 2.0 * longitudinal_creep * half_distance * conicity / radius
     gyroscopic = roll * spin_inertia / radius
-    inertia = c2 * rolling_mass + c1 * moved * yaw_inertia
-    elastic = (c2 * lateral_stiffness + c1 * moved * yaw_stiffness) / inertia
-    w2 = Polynomial([elastic, gyroscopic * (c1 + steering) / inertia])
+    elastic = c2 * lateral_stiffness + c1 * moved * yaw_stiffness
+    w2 = Polynomial([elastic, gyroscopic * (c1 + steering)]) / (c2 * rolling_mass + c1 * moved * yaw_inertia)
     v2 = Polynomial([0.0, 1.0])
     even = v2 * ((lateral_stiffness - rolling_mass * w2) * (yaw_stiffness - yaw_inertia * w2) + c1 * steering)
     even = even - c1 * moved * c2 * w2 - gyroscopic**2 * v2**2 * w2
-    roots = even.trim(_VANISHES * np.abs(even.coef).max()).roots()
-    real = roots.real[np.abs(roots.imag) < _REAL * np.abs(roots)]
-    square = min(real[real > 0.0], default=math.inf)
+    square = _smallest_positive_root(even)
     frequency = math.sqrt(w2(square if math.isfinite(square) else 0.0)) / (2.0 * math.pi)
     return math.sqrt(square), frequency
+
+
+def _smallest_positive_root(polynomial: Polynomial) -> float:
+    """Of its real roots; infinite where none is positive."""
+    roots = polynomial.trim(_VANISHES * np.abs(polynomial.coef).max()).roots()
+    real = roots.real[np.abs(roots.imag) < _REAL * np.abs(roots)]
+    return float(min(real[real > 0.0], default=math.inf))
+
+
+def _require_not_negative(*numbers: tuple[str, float, str]) -> None:
+    """Raise ValueError for the first number, by label, value and unit, that is below zero."""
+    for label, value, unit in numbers:
+        if value < 0.0:
+            raise ValueError(f"{label} = {value} {unit}: must be >= 0")
 
 
 def _require_positive(*numbers: tuple[str, float, str]) -> None:

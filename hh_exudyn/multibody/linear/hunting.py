@@ -110,27 +110,21 @@ def lateral_motion(
     displacement : of every wheelset at the start, to the left [m]
     step : of the explicit integration [s]
     begun : the end of another motion of this vehicle, to go on from; None: from the equilibrium
-    slowing : how fast the train comes from the speed of `begun` to this one [m/s^2]; infinite: at once, all
-        velocities along the track, spins and creepages alike
+    slowing : deceleration of the train from the speed of `begun` to this one [m/s^2]; infinite: at once
     progress : called after every step with the time [s]
 
     Raises
     ------
     ValueError
         The step is too large for the explicit integration, at the start or in the motion.
-    NoEquilibrium
-        There is no equilibrium at that speed.
-    Derailed
-        As `simulate` calls it.
-    KeyboardInterrupt
-        Ctrl-C.
+    NoEquilibrium, Derailed, KeyboardInterrupt
+        No equilibrium at that speed; as `simulate` calls a derailment; Ctrl-C.
     """
     first = speed if begun is None or math.isinf(slowing) else begun.speed
     model, work, state = vehicle.at(max(first, speed), step)
     require_stable_step(step, model, work, state)
-    if begun is None:
-        start = MotionState(speed, state.q.copy(), state.v, state.sliders.copy())
-    else:
+    start = MotionState(speed, state.q.copy(), state.v, state.sliders.copy())
+    if begun is not None:
         start = _at_speed(begun, first, model, state.q)
     sideways = BODY_COORDINATES * model.wheelsets + 1
     start.q[sideways] += displacement
@@ -166,23 +160,31 @@ def lateral_motion(
             progress(time)
         return not (troubles or interruption.wanted)
 
-    mbs = exudyn_system(model, start.q, start.v, forces, after_step)
-    exu.config.printToConsole = False  # as in `simulate`
-    try:
-        with Interruption() as interruption:
-            mbs.SolveDynamic(explicit_settings(duration, step), showHints=False)
-    finally:
-        exu.config.printToConsole = True
+    with Interruption() as interruption:
+        _solve(exudyn_system(model, start.q, start.v, forces, after_step), duration, step)
     if interruption.wanted:
         raise KeyboardInterrupt
     if troubles:
-        trouble, wheelset, side = troubles[0]
-        kind, detail = REASONS[Trouble(trouble)]
-        where = f"wheel {wheelset + 1}{'LR'[side]}, " if wheelset >= 0 else ""
-        error = ValueError if trouble == Trouble.ALTERNATING else Derailed
-        raise error(f"{kind}: {detail} ({where}{speed * 3.6:.1f} km/h, t = {rows[-1][0]:.3f} s)")
+        raise _error(*troubles[0], speed, rows[-1][0])
     table = np.array(rows)
     return LateralMotion(table[:, 0], table[:, 1:], MotionState(speed, end[0], end[1], sliders.copy()))
+
+
+def _solve(mbs: Any, duration: float, step: float) -> None:
+    """Integrate without Exudyn's own messages, as `simulate` does."""
+    exu.config.printToConsole = False
+    try:
+        mbs.SolveDynamic(explicit_settings(duration, step), showHints=False)
+    finally:
+        exu.config.printToConsole = True
+
+
+def _error(trouble: int, wheelset: int, side: int, speed: float, time: float) -> Exception:
+    """What ends a motion: a derailment, or a step too large for it."""
+    kind, detail = REASONS[Trouble(trouble)]
+    where = f"wheel {wheelset + 1}{'LR'[side]}, " if wheelset >= 0 else ""
+    error = ValueError if trouble == Trouble.ALTERNATING else Derailed
+    return error(f"{kind}: {detail} ({where}{speed * 3.6:.1f} km/h, t = {time:.3f} s)")
 
 
 def _course(first: float, last: float, slowing: float, time: float) -> tuple[float, float]:
