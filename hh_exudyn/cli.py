@@ -165,6 +165,8 @@ def _show_run(done: "Run") -> None:
     window = steady_window(done)
     _record(done, done.directory / RECORDING)
     print_table(_wheelset_table(wheelset_summary(done, window), window))
+    if (resistance := done.status.get("curve_resistance_of_train")) is not None:
+        out.print(f"curve resistance of the wagons behind: {resistance}")
     out.print("Y is positive outwards; attack and position are positive to the left")
     out.print(f"play it: hh-exudyn playback {done.directory}")
 
