@@ -235,9 +235,9 @@ _Cells = Annotated[int, Field(ge=5, le=100)]
 class ContactCase(CaseTable):
     """Normal and tangential theory, grid, and the damping d of the normal force N (1 + d * approach rate).
 
-    The default of d is assumed, from the range of steel: d = 1.5 c with the coefficient of restitution 1 - c v
-    at low speeds v of impact (Hunt and Crossley, J. Applied Mechanics 1975), c = 0.08 to 0.32 s/m (quoted from
-    memory), so d = 0.12 to 0.48 s/m. It is a damper of 24 kN s/m at 80 kN; SIMPACK's usual one is about 140,
+    The default of d is assumed, from the range of steel: d = 1.5 c with the coefficient of restitution 1 -
+    c v at low speeds v of impact (Hunt and Crossley, J. Applied Mechanics 1975), c = 0.08 to 0.32 s/m (quoted
+    from memory), so d = 0.12 to 0.48 s/m. It is a damper of 24 kN s/m at 80 kN; SIMPACK's usual one is about 140,
     d = 1.75 s/m, which steadies more than steel does. In the demo 0.3 s/m take 0.1 % of the energy lost in
     the contacts and 1.75 take 0.6 %; on ERRI-low down to 0.5 m the vertical forces above 100 Hz are 4 to 45 N
     (rms) with either, on rigid track 10 % less with 1.75. Only where a wheel jumps between root and flange (R
