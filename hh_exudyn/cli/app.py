@@ -153,6 +153,8 @@ def _show_run(run: "Run") -> None:
     _record(run, run.directory / RECORDING)
     output.print_table(_wheelset_table(wheelset_summary(run, window), window))
     output.print_line(assumed_summary(Case.from_toml(run.case_text)))
+    if (resistance := run.status.get("curve_resistance_of_train")) is not None:
+        output.print_line(f"curve resistance of the wagons behind: {resistance}")
     output.print_line("Y is positive outwards; attack and position are positive to the left")
     output.print_line(f"play it: hh-exudyn playback {run.directory}")
 

@@ -90,6 +90,8 @@ def simulate(
     require_stable_step(case.integration.step_ms * 1e-3, model, work, state)
     status: dict[str, Any] = {"finished": False, "reason": "running"}
     status["equilibrium_s"] = clock.perf_counter() - start
+    if control is not None:
+        status["curve_resistance_of_train"] = case.traction_or_default.curve_resistance
 
     names = {"body": [body.name for body in vehicle.bodies]}
     with Recorder(directory, {"case": case.to_toml()}, names=names) as recorder:

@@ -93,6 +93,7 @@ def test_a_unit_alone_has_no_force_on_its_coupler(demo):
 def test_it_holds_its_speed_and_energy_closes(demo, runs):
     """6 per mille, which two units can: 60 km/h within 1 %, and no work is lost on the way."""
     run = simulate(on_slope(demo, 55.0, 6.0), runs / "uphill")
+    assert run.status["curve_resistance_of_train"] == "roeckl"
     rows = control_rows(run)
     assert np.abs(rows["speed"] / SPEED - 1.0).max() < 0.01
     assert np.abs(rows["demand"] / rows["demand"][0] - 1.0).max() < 0.02

@@ -10,6 +10,7 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.conventions import GRAVITY
+from vehicles.traction.curve_resistance import curve_resistance
 
 LOADED_FROM = 6.0  # t per axle, above it the resistance of a loaded wagon holds
 _KGF_PER_TONNE = GRAVITY  # N per tonne for one kgf/t
@@ -44,22 +45,12 @@ def locomotive_resistance(speed: float) -> float:
     return (1.9 + 0.008 * v + 0.00025 * v**2) * _KGF_PER_TONNE
 
 
-def curve_resistance(curvature: FloatArray) -> FloatArray:
-    """Resistance of wagons in curves over their weight [-], by Roeckl.
-
-    0.650/(R - 55), below 300 m 0.5/(R - 30). Quoted from memory (main lines, 1435 mm): an assumption. Radii
-    below 100 m count as 100 m.
-    """
-    radius = 1.0 / np.maximum(np.abs(curvature), 1e-9)
-    radius = np.maximum(radius, 100.0)
-    return np.where(radius >= 300.0, 0.650 / (radius - 55.0), 0.500 / (radius - 30.0))
-
-
 @dataclass(frozen=True)
 class TrailingTrain:
     """Further locomotives and wagons behind the vehicle that is simulated.
 
-    `grade` and `curvature` give the sine of the slope and the curvature [1/m] at arc lengths [m].
+    `grade` and `curvature` give the sine of the slope and the curvature [1/m] at arc lengths [m]. In curves
+    the locomotives resist as by Roeckl whatever the wagons do, or not at all where these do not.
     """
 
     locomotives: int  # behind the simulated one
@@ -70,6 +61,7 @@ class TrailingTrain:
     wagon_length: float  # [m]
     grade: Callable[[FloatArray], FloatArray]
     curvature: Callable[[FloatArray], FloatArray]
+    curve_resistance: str = "roeckl"  # of the wagons, one of `curve_resistance.CURVE_RESISTANCES`
 
     @property
     def mass(self) -> float:
@@ -92,8 +84,13 @@ class TrailingTrain:
         """Resistance of rolling and of curves, and the downhill force: against forward motion [N]."""
         masses = np.repeat([self.locomotive_mass, self.wagon_mass], [self.locomotives, self.wagons])
         places = self.places(head)
+        axle_load = self.wagon_mass / 4e3
+        bent = self.curvature(places)
+        curving = curve_resistance(self.curve_resistance, bent, axle_load)
+        if self.curve_resistance == "simulated":
+            curving[: self.locomotives] = curve_resistance("roeckl", bent[: self.locomotives], axle_load)
         rolling = self.locomotives * self.locomotive_mass * locomotive_resistance(speed)
-        rolling += self.wagons * self.wagon_mass * wagon_resistance(speed, self.wagon_mass / 4e3)
-        curves = masses * GRAVITY * curve_resistance(self.curvature(places))
+        rolling += self.wagons * self.wagon_mass * wagon_resistance(speed, axle_load)
+        curves = masses * GRAVITY * curving
         slope = masses * GRAVITY * self.grade(places)
         return float(rolling * 1e-3 + curves.sum() + slope.sum())

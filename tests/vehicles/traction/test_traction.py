@@ -1,5 +1,7 @@
 """Traction laws: the characteristic, resistance of the train, speed control, slip control, over-slip."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -15,12 +17,7 @@ from vehicles.traction.effort import (
     SpeedControlGains,
     TractionEquipment,
 )
-from vehicles.traction.train import (
-    TrailingTrain,
-    curve_resistance,
-    locomotive_resistance,
-    wagon_resistance,
-)
+from vehicles.traction.train import TrailingTrain, locomotive_resistance, wagon_resistance
 
 LOCOMOTIVE = vehicle("iore_locomotive")
 EQUIPMENT = LOCOMOTIVE.traction
@@ -74,10 +71,25 @@ def test_every_wagon_is_on_its_own_grade():
         assert slope == pytest.approx(share * one.mass * GRAVITY * 0.01, abs=1e-6)
 
 
-def test_curves_resist_as_by_roeckl():
-    assert curve_resistance(np.array([1 / 400.0]))[0] == pytest.approx(0.650 / 345.0)
-    assert curve_resistance(np.array([-1 / 200.0]))[0] == pytest.approx(0.5 / 170.0)
-    assert curve_resistance(np.array([0.0]))[0] < 1e-8
+def test_the_curve_resistance_of_the_wagons_can_be_chosen():
+    """68 wagons on R 450 m: 1.65 and 0.61 per mille of 8160 t; the second unit stays with Roeckl."""
+    weight = 8160e3 * GRAVITY
+
+    def resisting(kind, locomotives=0):
+        behind = replace(
+            train(locomotives=locomotives, curvature=lambda s: 0.0 * s + 1 / 450), curve_resistance=kind
+        )
+        return behind.resisting_force(0.0, 15.0)
+
+    level = train(locomotives=0).resisting_force(0.0, 15.0)
+    assert resisting("none") == pytest.approx(level, rel=1e-12)
+    assert resisting("roeckl") - level == pytest.approx(weight * 0.650 / 395.0, rel=1e-9)
+    assert resisting("simulated") - level == pytest.approx(weight * 0.607e-3, rel=1e-9)
+    behind = train(locomotives=1).resisting_force(0.0, 15.0)
+    assert resisting("simulated", 1) - behind == pytest.approx(
+        weight * 0.607e-3 + 180e3 * GRAVITY * 0.650 / 395.0, rel=1e-9
+    )
+    assert resisting("none", 1) == pytest.approx(behind, rel=1e-12)
 
 
 def point_mass(driver, wheel, duration, mass=180e3, speed=60 / 3.6, grade=0.0):
