@@ -24,7 +24,8 @@ class ContactCase(CaseTable):
     100 Hz alike. Contact modes near 580 Hz are damped to 17 and 39 % of critical.
 
     With 32 cells along each of 16 strips the lateral wheel forces of the demo are within 0.6 % of those with
-    50 x 50 cells and half the step; strips in eights fill the vector registers. With the theory "given" profiles, coefficients and conicity are those that the vehicle states.
+    50 x 50 cells and half the step; strips in eights fill the vector registers. With the theory "given"
+    profiles, coefficients and conicity are those that the vehicle states.
     """
 
     normal: Literal[*NORMAL_THEORIES] = "hertz"  # type: ignore[valid-type]

@@ -361,5 +361,5 @@ def test_a_wheel_that_misses_its_rail_has_no_contact() -> None:
     wheel, rail = wheel_profile("S1002"), rail_profile("60E1")
     one = contact_functions(wheel, rail, lateral=np.zeros(1), radius=0.46, gauge=1.7)
     assert np.isnan(one.rolling_radius).all()
-    with pytest.raises(ValueError, match="no contact when centred"):
+    with pytest.raises(ValueError, match="do not touch centred"):
         conicity_report(wheel, rail, radius=0.46, gauge=1.7)
