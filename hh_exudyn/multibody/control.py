@@ -12,7 +12,7 @@ import numpy as np
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case import Case
 from hh_exudyn.contact.state import Patch
-from hh_exudyn.log.channels import CONTROL
+from hh_exudyn.log.channels import CONTROL, ControlColumn
 from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.multibody.model import Ledger, SystemModel, Workspace
 from track.course.alignment import inclined_frame
@@ -113,24 +113,23 @@ class VehicleControl:
         creep = np.hypot(patches[..., Patch.FORCE_X], patches[..., Patch.FORCE_Y]) * (normal > 0.0)
         bound = patches[..., Patch.FRICTION] * np.maximum(normal, 0.0)
         vertical = np.maximum(-work.rail_force[:, :, 1].sum(axis=1), 1.0)
-        for k, column in enumerate(
-            (
-                measured.time,
-                measured.places,
-                np.arange(1, self._radius.size + 1),
-                measured.speeds,
-                measured.wheel_speeds,
-                work.inputs.drive_torque,
-                work.wrench[:, 0] / vertical,
-                creep.sum(axis=(1, 2)) / np.maximum(bound.sum(axis=(1, 2)), 1.0),
-                self._driver.demand,
-                measured.coupler_force,
-                self._actuators.train_speed,
-                self._actuators.yaw,
-                self._actuators.stiffness,
-            )
-        ):
-            rows[:, k] = column
+        columns = {
+            "time": measured.time,
+            "s": measured.places,
+            "wheelset": np.arange(1, self._radius.size + 1),
+            "speed": measured.speeds,
+            "wheel_speed": measured.wheel_speeds,
+            "torque": work.inputs.drive_torque,
+            "adhesion": work.wrench[:, 0] / vertical,
+            "utilisation": creep.sum(axis=(1, 2)) / np.maximum(bound.sum(axis=(1, 2)), 1.0),
+            "demand": self._driver.demand,
+            "coupler_force": measured.coupler_force,
+            "train_speed": self._actuators.train_speed,
+            "yaw_rest": self._actuators.yaw,
+            "stiffness": self._actuators.stiffness,
+        }
+        for name, column in columns.items():
+            rows[:, ControlColumn[name]] = column
 
 
 def vehicle_control(
