@@ -22,10 +22,11 @@ from hh_exudyn.multibody.settling import Settling
 from vehicles.description import Vehicle
 
 FORCE_TOLERANCE = 5.0  # N or N m, of any body, on weights of 1e4..1e6 N
-TIME_LIMIT = 8.0  # s of the processor, compilation apart, after which there is no equilibrium
-_SEARCH_LIMIT = 2.5  # s of it, of the first root search
+TIME_LIMIT = 6.0  # s of the processor, compilation apart, after which there is no equilibrium
+_SEARCH_LIMIT = 2.0  # s of it, of the first root search
 _FIRST_SEARCH, _LAST_SEARCH = 50, 25  # steps of the root search; where it succeeds it takes 13 to 23
 _SETTLING = (1.2, 2.0, 3.0)  # s of motion, after each of which the root search tries again
+_NEAR = 0.01  # of the weight, a residual from which settled states are worth a root search
 _FORCE_SCALE = 1e3  # residuals are in thousandths of the weight
 
 
@@ -69,11 +70,13 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
     for end in _SETTLING:
         whole = settling.run(end, begun + TIME_LIMIT)
         settled = rolling.snapshot()
-        if whole and _balance(rolling, _LAST_SEARCH, begun + TIME_LIMIT):
+        left = _largest(rolling)
+        near = left < _NEAR * rolling.weight
+        if near and _balance(rolling, _LAST_SEARCH, begun + TIME_LIMIT):
             return _found(rolling)
         rolling.restore(settled)
         tried.append((_largest(rolling), settled))
-        if tried[-1][0] <= FORCE_TOLERANCE:  # the motion has come to rest where no root search can
+        if left <= FORCE_TOLERANCE:  # the motion has come to rest where no root search can
             return _found(rolling)
         if not whole:
             break
