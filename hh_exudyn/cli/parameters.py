@@ -65,6 +65,7 @@ def _table(title: str, numbers: "tuple[Parameter, ...]") -> Table:
 
 def _vehicles() -> _Numbers:
     """Each vehicle once: the loaded and the empty wagon share their file but for the payload."""
+    from hh_exudyn.sourced import load_parameters
     from vehicles.catalogue import parameters as of_vehicle
     from vehicles.catalogue import vehicle_names
 
@@ -73,6 +74,7 @@ def _vehicles() -> _Numbers:
         new = tuple(number for number in of_vehicle(name).parameters if number not in shown)
         shown.update(new)
         yield name, new
+    yield "curve resistance of trains", load_parameters("vehicles", "curve_resistance").parameters
 
 
 def _track() -> _Numbers:

@@ -46,7 +46,7 @@ def writer(model):
     """Work space and velocities filled with numbers that are all different, a recorder and a log writer."""
     work, kept = workspace(model), Kept()
     rng = np.random.default_rng(7)
-    for array in work:
+    for array in (*work.inputs, *(field for field in work if isinstance(field, np.ndarray))):
         array[:] = rng.uniform(0.1, 1.0, array.shape)
     work.rotation[:] = Rotation.random(BODIES, rng=rng).as_matrix()
     work.rail_rotation[:] = Rotation.random(8, rng=rng).as_matrix().reshape(4, 2, 3, 3)

@@ -5,18 +5,13 @@ times the 0.61 of the loaded ore wagon as it is simulated on dry, unworn rails. 
 near to what is used for three-piece wagons on worn rails: the safer number for what a locomotive can haul.
 """
 
-import tomllib
-from importlib.resources import files
-from typing import Any
-
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
+from hh_exudyn.sourced import load_parameters
 
 CURVE_RESISTANCES = ("roeckl", "simulated", "none")
-_DATA: dict[str, Any] = tomllib.loads(
-    files("vehicles").joinpath("data/curve_resistance.toml").read_text(encoding="utf-8")
-)
+_NUMBERS = load_parameters("vehicles", "curve_resistance")
 
 
 def curve_resistance(kind: str, curvature: FloatArray, axle_load: float) -> FloatArray:
@@ -47,30 +42,34 @@ def source(kind: str) -> str:
     """How the numbers of a kind are known, for people."""
     if kind == "none":
         return "none"
-    table = _DATA[kind]
-    return str(table["source"] if kind == "roeckl" else table["loaded"]["source"])
+    first = "roeckl.main_line.numerator" if kind == "roeckl" else "simulated.loaded.axle_load"
+    return next(number.source for number in _NUMBERS.parameters if number.name == first)
 
 
 def _roeckl(bent: FloatArray) -> FloatArray:
     """a/(R - b) = a k/(1 - b k), with other numbers in tight curves, none of which counts as below 100 m."""
-    main, tight = _DATA["roeckl"]["main_line"], _DATA["roeckl"]["tight"]
-    bent = np.minimum(bent, 1.0 / tight["from_radius_m"])
-    wide = bent * main["from_radius_m"] <= 1.0
-    numerator = np.where(wide, main["numerator_m"], tight["numerator_m"])
-    less = np.where(wide, main["less_m"], tight["less_m"])
+    n = _NUMBERS
+    bent = np.minimum(bent, 1.0 / n["roeckl.tight.from"])
+    wide = bent * n["roeckl.main_line.from"] <= 1.0
+    numerator = np.where(wide, n["roeckl.main_line.numerator"], n["roeckl.tight.numerator"])
+    less = np.where(wide, n["roeckl.main_line.less"], n["roeckl.tight.less"])
     return np.asarray(numerator * bent / (1.0 - less * bent))
 
 
 def _simulated(bent: FloatArray, axle_load: float) -> FloatArray:
     """Between the empty and the loaded wagon by the axle load, between radii by the curvature."""
-    empty, loaded = _DATA["simulated"]["empty"], _DATA["simulated"]["loaded"]
-    light, heavy = empty["axle_load_t"], loaded["axle_load_t"]
+    light, heavy = (_NUMBERS[f"simulated.{load}.axle_load"] for load in ("empty", "loaded"))
     share = float(np.clip((axle_load - light) / (heavy - light), 0.0, 1.0))
-    return (1.0 - share) * _of_table(empty, bent) + share * _of_table(loaded, bent)
+    return (1.0 - share) * _of_table("empty", bent) + share * _of_table("loaded", bent)
 
 
-def _of_table(table: dict[str, Any], bent: FloatArray) -> FloatArray:
+def _of_table(load: str, bent: FloatArray) -> FloatArray:
     """By the curvature, from nothing on the straight; beyond the tightest radius in proportion."""
-    radius, per_mille = np.array(table["radius_m"]), np.array(table["per_mille"])
+    radius, per_mille = (_column(f"simulated.{load}.{name}") for name in ("radius", "resistance"))
     within = np.interp(bent, np.append(0.0, 1.0 / radius[::-1]), np.append(0.0, per_mille[::-1]))
     return 1e-3 * np.where(bent * radius[0] > 1.0, per_mille[0] * radius[0] * bent, within)
+
+
+def _column(name: str) -> FloatArray:
+    """The numbers of a list in the data file."""
+    return np.array([number.value for number in _NUMBERS.parameters if number.name.startswith(f"{name}[")])
