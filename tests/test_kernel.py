@@ -8,7 +8,7 @@ import time
 from pathlib import Path
 
 import pytest
-from source_tree import imports_of
+from test_architecture import imports_of
 
 from hh_exudyn import kernel
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from names import defined_names, resolves
-from source_tree import PACKAGES, modules_of, project_files
+from test_architecture import PACKAGES, modules_of, project_files
 
 ROOT = Path(__file__).resolve().parents[1]
 DOTTED = re.compile(r"(?<!`)`([A-Za-z_]\w*(?:\.[A-Za-z_]\w*)+)`(?!`)")
