@@ -34,6 +34,8 @@ from numpy.typing import NDArray
 
 F = TypeVar("F", bound=Callable[..., Any])
 
+PLAIN_PYTHON_FACTOR = 200.0 if numba.config.DISABLE_JIT else 1.0  # how much longer kernels take, about
+
 _ROOT = Path(__file__).resolve().parent.parent
 _PACKAGES = ("hh_exudyn", "vehicles", "track", "damage")
 _BASE = ("hh_exudyn/*.py",)  # this file, constants, units

@@ -15,6 +15,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from hh_exudyn.arrays import FloatArray
+from hh_exudyn.kernel import PLAIN_PYTHON_FACTOR
 from hh_exudyn.multibody.model import SystemModel, Workspace
 from hh_exudyn.multibody.remaining import remaining_force
 from hh_exudyn.multibody.rolling import LENGTH_SCALE, NoEquilibrium, RollingVehicle
@@ -22,8 +23,9 @@ from hh_exudyn.multibody.settling import Settling
 from vehicles.description import Vehicle
 
 FORCE_TOLERANCE = 5.0  # N or N m, of any body, on weights of 1e4..1e6 N
-TIME_LIMIT = 6.0  # s of the processor, compilation apart, after which there is no equilibrium
-_SEARCH_LIMIT = 2.0  # s of it, of the first root search
+# s of the processor, compilation apart, after which there is no equilibrium; of it, of the first root search
+TIME_LIMIT = 6.0 * PLAIN_PYTHON_FACTOR
+_SEARCH_LIMIT = 2.0 * PLAIN_PYTHON_FACTOR
 _FIRST_SEARCH, _LAST_SEARCH = 50, 25  # steps of the root search; where it succeeds it takes 13 to 23
 _SETTLING = (1.2, 2.0, 3.0)  # s of motion, after each of which the root search tries again
 _NEAR = 0.01  # of the weight, a residual from which settled states are worth a root search
