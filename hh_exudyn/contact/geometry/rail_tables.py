@@ -186,7 +186,7 @@ def gauge_point_at(rails: RailTables, s: float) -> float:
     return point
 
 
-@kernel
+@inlined_kernel
 def surface_slope(rails: RailTables, s: float, y: float) -> float:
     """Slope dz/ds of the rail's surface along the track where its profile changes, zero elsewhere [-].
 
@@ -203,8 +203,12 @@ def surface_slope(rails: RailTables, s: float, y: float) -> float:
         Place on the profile there, as `rail_at` gives it [m].
     """
     section, share = _section_at(rails.sections, rails.change_length, s)
-    if not share > 0.0:
-        return 0.0
+    return _slope_of_change(rails, section, share, s, y) if share > 0.0 else 0.0
+
+
+@kernel
+def _slope_of_change(rails: RailTables, section: int, share: float, s: float, y: float) -> float:
+    """`surface_slope` inside a change: a call of its own, which would cost every contact elsewhere."""
     t = (s - rails.sections[section, _END]) / rails.change_length + 0.5
     share_rate = 30.0 * (t * (1.0 - t)) ** 2 / rails.change_length
     one, other = rails.sections[section], rails.sections[section + 1]
