@@ -21,8 +21,8 @@ class ContactCase(CaseTable):
     in the contacts and 1.75 take 0.6 %; on ERRI-low down to 0.5 m the vertical forces above 100 Hz are 4 to
     45 N (rms) with either, on rigid track 10 % less with 1.75. Only where a wheel jumps between root and
     flange (R 250 m, friction 0.5) does it count: 6 and 13 % of the energy, peaks of 640 and 490 kN, rms above
-    100 Hz alike. Contact modes near 580 Hz are damped to 17 and 39 % of critical. These figures are older than
-    the frames of the rails (`track.course.rail_frame`) and not measured again since.
+    100 Hz alike. Contact modes near 580 Hz are damped to 17 and 39 % of critical. These figures are older
+    than the frames of the rails (`track.course.rail_frame`) and not measured again since.
 
     With 32 cells along each of 16 strips the lateral wheel forces of the demo are within 0.6 % of those with
     50 x 50 cells and half the step; strips in eights fill the vector registers. With the theory "given"
