@@ -7,11 +7,6 @@ come from the rigid-body velocity of the wheel's material at the contact point r
 The slip speed on which friction falls is that of the patch as a whole (creepages times speed, Polach's w):
 neither the spin, of which the slip cancels about the middle, nor adhesion within the patch counts.
 
-The contact frame C: x along the rail's surface, R rolled about x by side * contact angle, z the normal from
-the rail into the wheel. R is the frame of the rail at the wheelset's arc length; at a contact ahead of the
-axle, or on a twisting or changing rail, the surface runs otherwise by fractions of a milliradian, and C with
-it: else a wheel in a curve or on a ramp would seem to sink into its rail or to leave it.
-
 The contact point of an ellipse is the point of deepest interpenetration, that of a patch of strips its centre
 of pressure; the patch is plane. Forces act at the contact point on the undeformed wheel (half an approach,
 some 0.05 mm, from where the deformed surfaces meet: without influence on any moment).
@@ -20,8 +15,8 @@ some 0.05 mm, from where the deformed surfaces meet: without influence on any mo
 import math
 
 from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.contact_frame import axes_of, point_on_turned_rail, turn_of_rail
 from hh_exudyn.contact.friction import FrictionTable, friction_at
-from hh_exudyn.contact.geometry.rail_tables import surface_slope
 from hh_exudyn.contact.geometry.search import (
     APPROACH,
     CONTACT_ANGLE,
@@ -33,7 +28,7 @@ from hh_exudyn.contact.geometry.search import (
     Y_RAIL,
     Y_WHEEL,
 )
-from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette
+from hh_exudyn.contact.geometry.silhouette import WheelRailPair
 from hh_exudyn.contact.normal.hertz import CURVATURE_FLOOR, normal_contact
 from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
 from hh_exudyn.contact.normal.registry import HERTZ
@@ -41,6 +36,7 @@ from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.contact.state import write_patch
 from hh_exudyn.contact.tangential.registry import GIVEN, force_kernel, strips_kernel
 from hh_exudyn.contact.types import (
+    CREEPAGE_SPEED_FLOOR,
     ContactForces,
     ContactFrame,
     NormalContact,
@@ -53,8 +49,6 @@ from hh_exudyn.contact.types import (
     WheelsetMotion,
 )
 from hh_exudyn.kernel import inlined_kernel
-
-CREEPAGE_SPEED_FLOOR = 0.1  # m/s, the least speed that creepages refer to
 
 
 @inlined_kernel
@@ -163,61 +157,21 @@ def _contact_frame(
     pair: WheelRailPair, along: RailTables, contact: FloatArray, rails: RailMotion, i: int, side: int
 ) -> ContactFrame:
     """The contact frame of a patch, along the rail's surface at the contact point."""
-    x, y, z = contact[POINT], contact[POINT + 1], contact[POINT + 2]
-    # R turns along the track, so that the rail's direction at the contact differs by the cross product
-    dx, dy, dz = x, pair.centre_y + y, pair.centre_z + z
-    heading = rails.turn[i, 2] * dx - rails.turn[i, 0] * dz
-    slope = rails.turn[i, 0] * dy - rails.turn[i, 1] * dx
-    slope += surface_slope(along, rails.arc_length[i], contact[Y_RAIL])
-    ch, sh, ct, st = 1.0, 0.0, 1.0, 0.0  # cosines and sines of heading and slope
+    point = (contact[POINT], contact[POINT + 1], contact[POINT + 2])
+    heading, slope = turn_of_rail(pair, along, point, contact[Y_RAIL], rails, i)
     if heading != 0.0 or slope != 0.0:
-        ch = 1.0 / math.sqrt(1.0 + heading * heading)
-        ct = 1.0 / math.sqrt(1.0 + slope * slope)
-        sh, st = ch * heading, ct * slope
-        x, y, z = _point_on_turned_rail(pair, contact[Y_WHEEL], (ch, sh, ct, st))
+        z, slope_wheel, _ = spline_evaluate(pair.wheel, contact[Y_WHEEL])
+        point = point_on_turned_rail(pair, contact[Y_WHEEL], z, slope_wheel, heading, slope)
     cosine = math.cos(contact[CONTACT_ANGLE])
     sine = pair.side * math.sin(contact[CONTACT_ANGLE])
+    forward, across, normal = axes_of(cosine, sine, heading, slope)
     rotation = rails.rotation[i, side]
     return ContactFrame(
-        _rotated(rotation, x, y, z),
-        _rotated(rotation, ch * ct, sh * ct, st),
-        _rotated(rotation, -cosine * sh - sine * ch * st, cosine * ch - sine * sh * st, sine * ct),
-        _rotated(rotation, sine * sh - cosine * ch * st, -sine * ch - cosine * sh * st, cosine * ct),
+        _rotated(rotation, point),
+        _rotated(rotation, forward),
+        _rotated(rotation, across),
+        _rotated(rotation, normal),
     )
-
-
-@inlined_kernel
-def _point_on_turned_rail(
-    pair: WheelRailPair, y_wheel: float, turn: tuple[float, float, float, float]
-) -> Triple:
-    """Where a circle of the wheel touches a rail turned in heading and slope, in axes of R.
-
-    With the point of the unturned rail the normal would miss the axle, and turn the wheelset about it.
-    """
-    ch, sh, ct, st = turn
-    lx, ly, lz = pair.axle_x, pair.axle_y, pair.axle_z
-    level = ch * lx + sh * ly
-    across, up = ch * ly - sh * lx, ct * lz - st * level
-    ahead = ct * level + st * lz
-    inverse = 1.0 / (1.0 - ahead * ahead)
-    turned = WheelRailPair(
-        pair.wheel,
-        pair.rail,
-        pair.side,
-        pair.distance,
-        pair.nominal_radius,
-        pair.centre_y,
-        pair.centre_z,
-        ahead,
-        across,
-        up,
-        ahead * ahead * inverse,
-        math.sqrt(inverse),
-    )
-    height, slope, _ = spline_evaluate(pair.wheel, y_wheel)
-    x, y, z, _ = silhouette(turned, y_wheel, height, slope)
-    level = ct * x - st * z
-    return ch * level - sh * y, sh * level + ch * y, st * x + ct * z
 
 
 @inlined_kernel
@@ -277,8 +231,9 @@ def _add_wrench(
 
 
 @inlined_kernel
-def _rotated(rotation: FloatArray, x: float, y: float, z: float) -> Triple:
-    """A vector (x, y, z) in axes of R, in those of T."""
+def _rotated(rotation: FloatArray, vector: Triple) -> Triple:
+    """A vector in axes of R, in those of T."""
+    x, y, z = vector
     return (
         rotation[0, 0] * x + rotation[0, 1] * y + rotation[0, 2] * z,
         rotation[1, 0] * x + rotation[1, 1] * y + rotation[1, 2] * z,

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from hh_exudyn.arrays import FloatArray
 
 Triple = tuple[float, float, float]
+Quadruple = tuple[float, float, float, float]
 Memory = Any  # of `kernel.memory`
 
 
@@ -26,6 +27,16 @@ class SplineTable(NamedTuple):
     per_step: float  # 1 / step [1/m]
     slope: FloatArray  # (n,) slopes at the nodes [-]
     bounds: FloatArray  # (levels, n, 2) least and largest second derivative from node i to node i + 2^level
+
+
+class WheelStrips(NamedTuple):
+    """Strips fixed on a wheel profile (`strips.table`), arrays (n,) in the order of y."""
+
+    y: FloatArray  # of the middle of a strip, side coordinates [m]
+    z: FloatArray  # height of the profile there [m]
+    slope: FloatArray  # [-]
+    arc: FloatArray  # place along the arc [m]
+    width: FloatArray  # along the arc [m]
 
 
 class RailTables(NamedTuple):
@@ -60,6 +71,8 @@ class WheelRailModel(NamedTuple):
 
     wheel_left: SplineTable
     wheel_right: SplineTable
+    strips_left: WheelStrips
+    strips_right: WheelStrips
     rails_left: RailTables
     rails_right: RailTables
     running_circle_distance: float  # half the lateral distance of the two running circles [m]
@@ -105,7 +118,8 @@ class ContactForces(NamedTuple):
 
     wrench: FloatArray  # (n, 6) force on the wheelset and moment about its centre, axes of T [N], [N m]
     rail_force: FloatArray  # (n, 2, 2) y and z force on each rail, axes of T [N]
-    patches: FloatArray  # (n, 2, MAX_PATCHES, PATCH_COLUMNS) states, deepest first; without contact zero
+    patches: FloatArray  # (n, 2, MAX_PATCHES, PATCH_COLUMNS) states, most loaded first; without contact zero
+    in_contact: FloatArray  # (n, 2, strips.table.CAPACITY) strips in contact, also the next guess
 
 
 class RollingPatch(NamedTuple):
@@ -162,3 +176,4 @@ class NormalContact(NamedTuple):
 
 
 MAX_PATCHES = 3  # patches of one wheel at once
+CREEPAGE_SPEED_FLOOR = 0.1  # m/s, the least speed that creepages refer to

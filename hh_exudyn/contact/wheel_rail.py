@@ -23,10 +23,12 @@ from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, find_
 from hh_exudyn.contact.geometry.silhouette import wheel_rail_pair
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.normal.neighbours import find_patches
-from hh_exudyn.contact.normal.registry import HERTZ, NORMAL_THEORIES, check_combination
+from hh_exudyn.contact.normal.registry import COUPLED_STRIPS, HERTZ, NORMAL_THEORIES, check_combination
 from hh_exudyn.contact.patch_forces import add_patch
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.profiles.spline import spline_table
+from hh_exudyn.contact.strip_forces import add_strips
+from hh_exudyn.contact.strips.table import wheel_strips
 from hh_exudyn.contact.tangential.registry import THEORIES
 from hh_exudyn.contact.tangential.strips import STRIP_COLUMNS
 from hh_exudyn.contact.types import ContactForces, GivenCreep, RailMotion, WheelRailModel, WheelsetMotion
@@ -89,9 +91,12 @@ def wheel_rail_model(
     if normal not in NORMAL_THEORIES:
         raise ValueError(f"unknown normal theory {normal!r}; known: {', '.join(NORMAL_THEORIES)}")
     check_combination(normal, theory)
+    left, right = (spline_table(wheel, smoothing=smoothing) for wheel in (wheel_left, wheel_right))
     return WheelRailModel(
-        wheel_left=spline_table(wheel_left, smoothing=smoothing),
-        wheel_right=spline_table(wheel_right, smoothing=smoothing),
+        wheel_left=left,
+        wheel_right=right,
+        strips_left=wheel_strips(left),
+        strips_right=wheel_strips(right),
         rails_left=rail_tables(_course(rail_left), smoothing),
         rails_right=rail_tables(_course(rail_right), smoothing),
         running_circle_distance=0.5 * back_to_back + FLANGE_BACK_TO_RUNNING_CIRCLE,
@@ -176,7 +181,7 @@ def wheel_rail_forces(
         0, or 1 + 2 * wheelset + side index of the first wheel with a state or force that is not finite.
     """
     contacts = np.empty((MAX_MINIMA, CONTACT_COLUMNS))
-    strips = np.empty((0 if model.normal == HERTZ else model.cells_y, STRIP_COLUMNS))
+    strips = np.empty((model.cells_y, STRIP_COLUMNS))
     centre, axle = np.empty(3), np.empty(3)
     forces.wrench[:] = 0.0
     forces.rail_force[:] = 0.0
@@ -193,7 +198,11 @@ def wheel_rail_forces(
             pair = wheel_rail_pair(
                 wheel, rail, side, model.running_circle_distance, model.nominal_radius, centre, axle
             )
-            if model.normal == HERTZ:
+            if model.normal == COUPLED_STRIPS:
+                if not add_strips(model, pair, wheelsets, rails, friction, i, forces):
+                    return 1 + 2 * i + s
+                count = 0
+            elif model.normal == HERTZ:
                 count = find_contacts(pair, contacts)
             else:
                 count = find_patches(

@@ -22,6 +22,7 @@ from hh_exudyn.contact.geometry.rail_tables import gauge_point_at
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.state import PATCH_COLUMNS, ContactState, Patch, contact_state
+from hh_exudyn.contact.strips.table import CAPACITY
 from hh_exudyn.contact.types import (
     MAX_PATCHES,
     ContactForces,
@@ -319,6 +320,7 @@ def _solve(
         wrench=np.zeros((1, 6)),
         rail_force=np.zeros((1, 2, 2)),
         patches=np.zeros((1, 2, MAX_PATCHES, PATCH_COLUMNS)),
+        in_contact=np.zeros((1, 2, CAPACITY)),
     )
     friction = constant_friction([[pose.friction, pose.friction]])
     status = wheel_rail_forces(model, wheelset, rails, friction, forces)

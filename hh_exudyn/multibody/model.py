@@ -26,6 +26,7 @@ import numpy as np
 from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.friction import FrictionTable
 from hh_exudyn.contact.state import PATCH_COLUMNS
+from hh_exudyn.contact.strips.table import CAPACITY
 from hh_exudyn.contact.types import MAX_PATCHES, WheelRailModel
 from hh_exudyn.kernel import inlined_kernel
 from track.course.alignment import AlignmentTable
@@ -149,6 +150,7 @@ class Workspace(NamedTuple):
     wrench: FloatArray  # (wheelsets, 6)
     rail_force: FloatArray  # (wheelsets, 2, 2)
     patches: FloatArray  # (wheelsets, 2, MAX_PATCHES, PATCH_COLUMNS)
+    in_contact: FloatArray  # (wheelsets, 2, CAPACITY) strips, also the next guess
     new_sliders: FloatArray  # (couplings, SLIDERS)
     ledger: FloatArray  # (len(Ledger),)
     generalized_force: FloatArray  # (coordinates,)
@@ -235,6 +237,7 @@ def workspace(model: SystemModel) -> Workspace:
         wrench=np.zeros((wheelsets, 6)),
         rail_force=np.zeros((wheelsets, 2, 2)),
         patches=np.zeros((wheelsets, 2, MAX_PATCHES, PATCH_COLUMNS)),
+        in_contact=np.zeros((wheelsets, 2, CAPACITY)),
         new_sliders=np.zeros((len(model.couplings.kind), SLIDERS)),
         ledger=np.zeros(len(Ledger)),
         generalized_force=np.zeros(coordinates(model)),

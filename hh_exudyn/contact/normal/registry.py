@@ -17,6 +17,7 @@ from hh_exudyn.kernel import inlined_kernel
 HERTZ = 0
 ANALYN = 1
 KIK_PIOTROWSKI = 2
+COUPLED_STRIPS = 3
 
 
 class NormalTheory(NamedTuple):
@@ -29,6 +30,11 @@ class NormalTheory(NamedTuple):
 
 
 NORMAL = (
+    NormalTheory(
+        COUPLED_STRIPS,
+        "coupled_strips",
+        "strips along the profile that press on each other (`hh_exudyn.contact.strips`)",
+    ),
     NormalTheory(HERTZ, "hertz", "the ellipse of Hertz", makes_strips=False),
     NormalTheory(ANALYN, "analyn", "Hertz strip by strip: Sichani, Enblom and Berg 2014"),
     NormalTheory(KIK_PIOTROWSKI, "kik_piotrowski", "virtual interpenetration: Kik and Piotrowski 1996"),

@@ -59,8 +59,8 @@ from hh_exudyn.contact.tangential.strips import (
     load_strips,
     scale_slip,
 )
-from hh_exudyn.contact.types import Fields, Memory, RollingPatch
-from hh_exudyn.kernel import kernel, memory, shaped
+from hh_exudyn.contact.types import Fields, Memory, RollingPatch, Triple
+from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
 
 _TINY = 1e-300  # against 0/0; far below every square that occurs [-]
 _XI, _ELLIPSE, _WORK, _POWER = 0, 1, 2, 3  # rows of a table over the cells of a strip
@@ -69,7 +69,7 @@ _TABLE_SIZE = _TABLE_ROWS * _CELLS
 
 
 @kernel
-def _add_cell(cell: int, cells_x: int, groups: int, state: Memory) -> None:
+def add_cell(cell: int, cells_x: int, groups: int, state: Memory) -> None:
     """Add a cell to the strips' sums of sqrt(1 - xi^2) (t - (kappa, lambda)) over their slip zones."""
     s = shaped(state, SHAPE)
     xi = 1.0 - (2 * cell + 1) / cells_x
@@ -86,6 +86,19 @@ def _add_cell(cell: int, cells_x: int, groups: int, state: Memory) -> None:
                 s[SUM_M, g, lane] += xi * lateral
 
 
+@inlined_kernel
+def strip_force(g: int, lane: int, weight: float, state: Memory) -> Triple:
+    """Forces of one strip over mu N, and its spin moment over that times the half length, after the march."""
+    s = shaped(state, SHAPE)
+    part, prime = s[PART, g, lane], s[PRIME, g, lane]
+    slipping = part * (2.0 - part)  # 1 - (1 - part)^2, exact for little slip
+    return (
+        s[KAPPA, g, lane] * slipping + weight * s[SUM_X, g, lane],
+        s[LAMBDA, g, lane] - prime + prime * slipping + weight * s[SUM_Y, g, lane],
+        weight * s[SUM_M, g, lane] - prime * part * (1.0 - slipping),
+    )
+
+
 @kernel
 def _block_force(
     groups: int, rolling: Rolling, cells_x: int, weight: float, state: Memory
@@ -100,18 +113,14 @@ def _block_force(
     for cell in range(cells_x):
         node = 1.0 - (cell + 1) * step
         march_cell(cell, groups, node + 0.5 * step, max(1.0 - node * node, 0.0), state)
-        _add_cell(cell, cells_x, groups, state)
+        add_cell(cell, cells_x, groups, state)
     s = shaped(state, SHAPE)
     force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
     for g in range(groups):
         for lane in range(LANES):
             length = s[HALF_LENGTH, g, lane]
             load = s[WIDTH, g, lane] * length * s[PRESSURE, g, lane]
-            part, prime = s[PART, g, lane], s[PRIME, g, lane]
-            slipping = part * (2.0 - part)  # 1 - (1 - part)^2, exact for little slip
-            strip_x = s[KAPPA, g, lane] * slipping + weight * s[SUM_X, g, lane]
-            strip_y = s[LAMBDA, g, lane] - prime + prime * slipping + weight * s[SUM_Y, g, lane]
-            strip_m = weight * s[SUM_M, g, lane] - prime * part * (1.0 - slipping)
+            strip_x, strip_y, strip_m = strip_force(g, lane, weight, state)
             force_x += load * strip_x
             force_y += load * strip_y
             moment_z += load * (length * strip_m - s[Y, g, lane] * strip_x)
@@ -120,7 +129,7 @@ def _block_force(
 
 
 @kernel
-def _cell_weight(cells_x: int) -> float:
+def cell_weight(cells_x: int) -> float:
     """One over the sum of sqrt(1 - xi^2): the pressure summed over the cells of a strip is then exact."""
     inverse = 1.0 / cells_x
     total = 0.0
@@ -154,7 +163,7 @@ def force_on_strips(
     """
     rolling = rolling_strips(patch)
     state = memory(STATE_SIZE)
-    weight = _cell_weight(cells_x)
+    weight = cell_weight(cells_x)
     force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
     for first in range(0, count, BLOCK):
         number = min(count - first, BLOCK)
@@ -172,7 +181,7 @@ def force(patch: RollingPatch, cells_x: int, cells_y: int) -> tuple[float, float
     """Creep forces and spin moment on the wheel."""
     rolling = rolling_strips(patch)
     state = memory(STATE_SIZE)
-    weight = _cell_weight(cells_x)
+    weight = cell_weight(cells_x)
     force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
     for first in range(0, cells_y, BLOCK):
         number = min(cells_y - first, BLOCK)

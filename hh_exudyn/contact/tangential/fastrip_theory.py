@@ -28,7 +28,7 @@ from hh_exudyn.contact.tangential.strips import (
     W_Y,
     Y,
 )
-from hh_exudyn.contact.types import Memory, RollingPatch
+from hh_exudyn.contact.types import Memory, Quadruple, RollingPatch, Triple
 from hh_exudyn.kernel import inlined_kernel, kernel, shaped
 
 _TINY = 1e-300  # against 0/0; far below every square that occurs [-]
@@ -66,7 +66,9 @@ def rolling_strips(patch: RollingPatch) -> Rolling:
     along = half * 4.0 * (1.0 - poisson_ratio) / math.pi**2
     strain = 0.5 * math.pi**2 * friction / shear_modulus
     stiff_x, stiff_y, stiff_phi = stiffnesses(a, b, shear_modulus, c11, c22, c23)
-    stiff = single_stiffness(stiff_x, stiff_y, stiff_phi, patch)
+    stiff = single_stiffness(
+        stiff_x, stiff_y, stiff_phi, patch.nu_x, patch.nu_y, math.sqrt(patch.a * patch.b) * patch.phi
+    )
     # the parabola under which the equivalent ellipse carries the load has the height 4/3 p^2/p_max in a strip
     scale = 0.75 * peak_pressure(patch) / friction * patch.normal_force / direction_force(patch)
     return Rolling(
@@ -146,33 +148,67 @@ def _sticks_until(w_x: float, w_y: float, spin: float) -> float:
     return 2.0 if w_x * w_x + edge * edge > 4.0 else end
 
 
+@inlined_kernel
+def set_strip(
+    g: int, lane: int, theory: Triple, three: Quadruple, one: Quadruple, poisson_ratio: float, state: Memory
+) -> float:
+    """Solve strip theory in one strip of a block and scale its rigid slip for FASTSIM's march.
+
+    Parameters
+    ----------
+    g, lane : int
+        Place of the strip in the block; its half length and pressure are there.
+    theory : tuple of float
+        xi of this strip, eta and psi of equation 2.43 times the pressure [Pa], [Pa], [Pa/m].
+    three, one : tuple of float
+        Rigid slip in the strip's middle over three flexibilities and over the single one: longitudinal but
+        for spin, lateral, spin over length, and the longitudinal part of spin [Pa^2/m], the third [Pa^2/m^2].
+    poisson_ratio : float
+        [-].
+    state : memory
+        Of the block.
+
+    Returns
+    -------
+    float
+        Part of the strip that sticks from the leading edge in both theories [-].
+    """
+    s = shaped(state, SHAPE)
+    length, inverse = s[HALF_LENGTH, g, lane], 1.0 / s[PRESSURE, g, lane]
+    full, part, kappa, lambda_, lambda_prime = strip(
+        theory[0] * inverse, theory[1] * inverse, theory[2] * length * inverse, poisson_ratio
+    )
+    exists = length > 0.0
+    part = part if exists else 0.0
+    factor = length * inverse * inverse
+    # one flexibility where the whole strip slips; the fourth power lets it come in without a jump
+    share = part**4
+    w_x = factor * (three[0] + share * (one[0] - three[0]) + three[3] + share * (one[3] - three[3]))
+    w_y = factor * (three[1] + share * (one[1] - three[1]))
+    spin = factor * (three[2] + share * (one[2] - three[2])) * length
+    s[W_X, g, lane], s[W_Y, g, lane], s[SPIN, g, lane] = w_x, w_y, spin
+    s[PART, g, lane], s[FULL, g, lane] = part, 1.0 if full & exists else 0.0
+    s[KAPPA, g, lane] = kappa if exists else 0.0
+    s[LAMBDA, g, lane] = lambda_ if exists else 0.0
+    s[PRIME, g, lane] = lambda_prime if exists else 0.0
+    return min(1.0 - 0.5 * _sticks_until(w_x, w_y, spin), 1.0 - part)
+
+
 @kernel
 def prepare(groups: int, rolling: Rolling, cells_x: int, state: Memory) -> None:
     """Solve strip theory in a block of strips, and set FASTSIM's march where each group of them needs it."""
     s = shaped(state, SHAPE)
     for g in range(groups):
         for lane in range(LANES):
-            y, length, inverse = s[Y, g, lane], s[HALF_LENGTH, g, lane], 1.0 / s[PRESSURE, g, lane]
-            full, part, kappa, lambda_, lambda_prime = strip(
-                (rolling.xi - rolling.psi * y) * inverse,
-                rolling.eta * inverse,
-                rolling.psi * length * inverse,
+            y = s[Y, g, lane]
+            sticking = set_strip(
+                g,
+                lane,
+                (rolling.xi - rolling.psi * y, rolling.eta, rolling.psi),
+                (rolling.three_x, rolling.three_y, rolling.three_phi, -rolling.three_phi * y),
+                (rolling.one_x, rolling.one_y, rolling.one_phi, -rolling.one_phi * y),
                 rolling.poisson_ratio,
+                state,
             )
-            exists = length > 0.0
-            part = part if exists else 0.0
-            factor = length * inverse * inverse
-            # one flexibility where the whole strip slips; the fourth power lets it come in without a jump
-            one = part**4
-            spin = factor * (rolling.three_phi + one * (rolling.one_phi - rolling.three_phi))
-            w_x = factor * (rolling.three_x + one * (rolling.one_x - rolling.three_x)) - spin * y
-            w_y = factor * (rolling.three_y + one * (rolling.one_y - rolling.three_y))
-            spin *= length
-            sticking = 1.0 - 0.5 * _sticks_until(w_x, w_y, spin)
-            s[FIRST, g, lane] = math.floor(min(sticking, 1.0 - part) * cells_x)
-            s[W_X, g, lane], s[W_Y, g, lane], s[SPIN, g, lane] = w_x, w_y, spin
-            s[PART, g, lane], s[FULL, g, lane] = part, 1.0 if full & exists else 0.0
-            s[KAPPA, g, lane] = kappa if exists else 0.0
-            s[LAMBDA, g, lane] = lambda_ if exists else 0.0
-            s[PRIME, g, lane] = lambda_prime if exists else 0.0
+            s[FIRST, g, lane] = math.floor(sticking * cells_x)
     begin(groups, cells_x, state)

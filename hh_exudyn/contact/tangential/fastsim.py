@@ -61,7 +61,9 @@ def _flexible(patch: RollingPatch, single: bool) -> tuple[float, float, float, f
     """Rigid slip over flexibility: w_x = x - spin y, w_y = y + spin x [Pa/m, Pa/m, Pa/m^2]; the mean 1/L."""
     c11, c22, c23, _ = coefficients(patch.a / patch.b, patch.poisson_ratio)
     stiff_x, stiff_y, stiff_phi = stiffnesses(patch.a, patch.b, patch.shear_modulus, c11, c22, c23)
-    stiff = single_stiffness(stiff_x, stiff_y, stiff_phi, patch)
+    stiff = single_stiffness(
+        stiff_x, stiff_y, stiff_phi, patch.nu_x, patch.nu_y, math.sqrt(patch.a * patch.b) * patch.phi
+    )
     if single:
         stiff_x, stiff_y, stiff_phi = stiff, stiff, stiff
     return stiff_x * patch.nu_x, stiff_y * patch.nu_y, stiff_phi * patch.phi, stiff

@@ -31,7 +31,7 @@ from hh_exudyn.contact.tangential.strips import (
     W_X,
     W_Y,
 )
-from hh_exudyn.contact.types import Memory, RollingPatch
+from hh_exudyn.contact.types import Memory
 from hh_exudyn.kernel import inlined_kernel, kernel, shaped
 
 _TINY = 1e-300  # against 0/0
@@ -51,9 +51,10 @@ def stiffnesses(
 
 
 @inlined_kernel
-def single_stiffness(stiff_x: float, stiff_y: float, stiff_phi: float, patch: RollingPatch) -> float:
-    """1/L of the three flexibilities weighted by the creepages [Pa/m]."""
-    nu_x, nu_y, spin = patch.nu_x, patch.nu_y, math.sqrt(patch.a * patch.b) * patch.phi
+def single_stiffness(
+    stiff_x: float, stiff_y: float, stiff_phi: float, nu_x: float, nu_y: float, spin: float
+) -> float:
+    """1/L of the three flexibilities weighted by the creepages, spin times sqrt(a b) [Pa/m]."""
     weighted = abs(nu_x) / stiff_x + abs(nu_y) / stiff_y + abs(spin) / stiff_phi
     if weighted == 0.0:
         return stiff_x

@@ -1,0 +1,160 @@
+"""Creep forces of a wheel's strips, each with its own rigid slip (kernel).
+
+FaStrip (`tangential.fastrip`), strip by strip: the coefficients are those of the ellipse of which a strip is
+a part (`shape`), the friction is the strip's own, and so is the slip. On a flat patch the longitudinal slip
+falls across by the spin, nu_x - phi y; on a curved one it follows the rolling radius of every strip, and the
+spin its angle. What a strip's slip differs by from that in the middle of its ellipse takes the place of
+-phi y in the equations (2.43 to 2.46 of Hossein-Nia, KTH 2018), so that on a flat patch they are the same.
+"""
+
+import math
+from typing import NamedTuple
+
+from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
+from hh_exudyn.contact.tangential.fastrip import add_cell, cell_weight, strip_force
+from hh_exudyn.contact.tangential.fastrip_theory import set_strip
+from hh_exudyn.contact.tangential.fastsim_march import begin, march_cell, single_stiffness, stiffnesses
+from hh_exudyn.contact.tangential.kalker import coefficients
+from hh_exudyn.contact.tangential.strips import (
+    BLOCK,
+    FIRST,
+    HALF_LENGTH,
+    LANES,
+    PRESSURE,
+    SHAPE,
+    STATE_SIZE,
+)
+from hh_exudyn.contact.types import Memory
+from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
+
+_LEAST_FRICTION = 1e-9  # against 0/0; the forces are proportional to friction itself
+
+
+class _Ellipse(NamedTuple):
+    """Quantities common to the strips of one ellipse, without creepage and friction."""
+
+    xi: float  # of equation 2.43, times pressure and friction over the creepage [Pa]
+    eta: float
+    psi: float
+    stiff_x: float  # over Kalker's three flexibilities [Pa/m]
+    stiff_y: float
+    stiff_phi: float
+    scale: float  # of FASTSIM's rigid slip, times friction [Pa]
+    size: float  # sqrt(a b) [m]
+
+
+@kernel
+def strip_creep_forces(
+    count: int, shear_modulus: float, poisson_ratio: float, cells_x: int, state: Memory
+) -> None:
+    """Fill `FORCE_X`, `FORCE_Y` and `MOMENT_Z` of the strips that carry load (kernel, allocates nothing).
+
+    Parameters
+    ----------
+    count : int
+        Strips with overlap.
+    shear_modulus, poisson_ratio : float
+        [Pa], [-].
+    cells_x : int
+        Cells along each strip.
+    state : memory
+        (ROWS, CAPACITY): loads, shapes, creepages and friction in.
+    """
+    s = shaped(state, (ROWS, CAPACITY))
+    march = memory(STATE_SIZE)
+    m = shaped(march, SHAPE)
+    weight, step = cell_weight(cells_x), 2.0 / cells_x
+    ellipse = _Ellipse(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    first = 0
+    while first < count:
+        number = 0  # strips of this block
+        last = first
+        while last < count and number < BLOCK:
+            if s[Row.LOAD, last] > 0.0:
+                g, lane = number // LANES, number % LANES
+                m[HALF_LENGTH, g, lane], m[PRESSURE, g, lane] = (
+                    s[Row.HALF_LENGTH, last],
+                    s[Row.PRESSURE, last],
+                )
+                if s[Row.CENTRE, last] == 0.0:
+                    ellipse = _ellipse_of(last, shear_modulus, poisson_ratio, state)
+                sticking = _set(last, g, lane, ellipse, poisson_ratio, state, march)
+                m[FIRST, g, lane] = math.floor(sticking * cells_x)
+                number += 1
+            last += 1
+        groups = (number + LANES - 1) // LANES
+        for n in range(number, groups * LANES):
+            g, lane = n // LANES, n % LANES
+            m[HALF_LENGTH, g, lane], m[PRESSURE, g, lane] = 0.0, 1.0
+            set_strip(
+                g, lane, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0), poisson_ratio, march
+            )
+            m[FIRST, g, lane] = cells_x
+        begin(groups, cells_x, march)
+        for cell in range(cells_x):
+            node = 1.0 - (cell + 1) * step
+            march_cell(cell, groups, node + 0.5 * step, max(1.0 - node * node, 0.0), march)
+            add_cell(cell, cells_x, groups, march)
+        number = 0
+        for j in range(first, last):
+            if s[Row.LOAD, j] > 0.0:
+                bound = s[Row.FRICTION, j] * s[Row.LOAD, j]
+                x, y, moment = strip_force(number // LANES, number % LANES, weight, march)
+                s[Row.FORCE_X, j], s[Row.FORCE_Y, j] = bound * x, bound * y
+                s[Row.MOMENT_Z, j] = bound * s[Row.HALF_LENGTH, j] * moment
+                number += 1
+        first = last
+
+
+@inlined_kernel
+def _ellipse_of(j: int, shear_modulus: float, poisson_ratio: float, state: Memory) -> _Ellipse:
+    """The ellipse of which strip j is a part."""
+    s = shaped(state, (ROWS, CAPACITY))
+    a, b = s[Row.A, j], s[Row.B, j]
+    c11, c22, c23, _ = coefficients(a / b, poisson_ratio)
+    stiff_x, stiff_y, stiff_phi = stiffnesses(a, b, shear_modulus, c11, c22, c23)
+    along = -2.0 * shear_modulus * (1.0 - poisson_ratio) / math.pi**2
+    # the parabola under which the ellipse carries the load, as in `fastrip_theory.rolling_strips`
+    scale = 0.75 * 2.0 * s[Row.PEAK, j] / (math.pi * a)
+    if a < b:
+        scale /= 1.0 + (1.0 - a / b) ** 4
+    return _Ellipse(
+        along * c11,
+        along * c22,
+        -1.5 * shear_modulus / math.pi * math.sqrt(b / a) * c23,
+        stiff_x,
+        stiff_y,
+        stiff_phi,
+        scale,
+        math.sqrt(a * b),
+    )
+
+
+@inlined_kernel
+def _set(
+    j: int, g: int, lane: int, ellipse: _Ellipse, poisson_ratio: float, state: Memory, march: Memory
+) -> float:
+    """Set strip j in the block of the march; returns as `fastrip_theory.set_strip`."""
+    s = shaped(state, (ROWS, CAPACITY))
+    inverse = 1.0 / max(s[Row.FRICTION, j], _LEAST_FRICTION)
+    mean, lateral, phi = s[Row.MEAN_X, j], s[Row.NU_Y, j], s[Row.PHI, j]
+    turn = s[Row.NU_X, j] - mean
+    stiff = single_stiffness(
+        ellipse.stiff_x, ellipse.stiff_y, ellipse.stiff_phi, mean, s[Row.MEAN_Y, j], ellipse.size * phi
+    )
+    scale = inverse * ellipse.scale
+    three_x, three_y, three_phi = scale * ellipse.stiff_x, scale * ellipse.stiff_y, scale * ellipse.stiff_phi
+    one = scale * stiff
+    return set_strip(
+        g,
+        lane,
+        (
+            inverse * (ellipse.xi * mean + ellipse.psi * turn),
+            inverse * ellipse.eta * lateral,
+            inverse * ellipse.psi * phi,
+        ),
+        (three_x * mean, three_y * lateral, three_phi * phi, three_phi * turn),
+        (one * mean, one * lateral, one * phi, one * turn),
+        poisson_ratio,
+        march,
+    )

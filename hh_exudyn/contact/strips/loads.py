@@ -1,0 +1,183 @@
+"""The loads of a wheel's strips: one linear complementarity problem (kernel).
+
+Every strip presses down the surface under itself and its neighbours (`influence`), so that with the loads
+P >= 0 the strips in contact approach by their overlaps d and the others are left behind:
+
+    K P >= d,   P >= 0,   P (K P - d) = 0.                                                               (1)
+
+The half length in the influence of a strip is that of an average ellipse, a^2 = 0.6 d/A, but no shorter than
+half its width: then F of equation 1 in `influence` and with it K depend on the pose alone, not on the loads,
+the loads are continuous in the pose, and the problem has one solution. Against the exact half-space, force at
+a given pose is 4 % too low to 4 % too high after K is taken 6 % larger (`CENTRING`; a wheel on a rail, with
+flange root and flange; measured in tests/contact/strips).
+
+The second pass is for the pressure alone: its half lengths are those of the first solution. It loses what
+makes the force continuous and monotone, so forces never come from it.
+
+The problem is solved by active sets: guess, solve, drop what pulls, add what sinks in, until nothing changes.
+"""
+
+import math
+
+import numpy as np
+
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.strips.influence import influence_integral, mean_density
+from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
+from hh_exudyn.contact.types import Memory
+from hh_exudyn.kernel import kernel, memory, shaped
+
+CENTRING = 1.06  # factor of the compliance [-]
+_LENGTH = 0.6  # A a^2 / d: 0.73 for a/b = 0.4, 0.5 for a circle, 0.38 for a/b = 10
+_GUESS = 0.45  # of the largest overlap around; of an ellipse 0.5 to 0.6 is pressed away
+_BLOCK_ROUNDS = 10  # in which many strips change at once; then one at a time, which always ends
+_MOST_ROUNDS = 400
+_PLACES = 3 * CAPACITY
+_ROUNDING = 1e-13  # m, of an overlap
+
+
+@kernel
+def first_half_lengths(count: int, state: Memory) -> None:
+    """Fill `Row.HALF_LENGTH` with the half lengths of the influence."""
+    s = shaped(state, (ROWS, CAPACITY))
+    for j in range(count):
+        ellipse = math.sqrt(_LENGTH * s[Row.OVERLAP, j] / s[Row.CURVATURE, j])
+        s[Row.HALF_LENGTH, j] = max(ellipse, 0.5 * s[Row.WIDTH, j])
+
+
+@kernel
+def solve_loads(count: int, modulus: float, guess: FloatArray, state: Memory) -> bool:
+    """Solve equation 1 for the strips of `state` (kernel: trusts its input).
+
+    Parameters
+    ----------
+    count : int
+        Strips with overlap.
+    modulus : float
+        G/(1 - nu) of both bodies [Pa].
+    guess : FloatArray
+        (CAPACITY,) by number of the strip, 1 where it is probably in contact, else 0; all 0 for none. On
+        return, the strips in contact: the next guess. It saves time and changes no digit of the result,
+        which follows from the final set alone.
+    state : memory
+        (ROWS, CAPACITY): `OVERLAP`, `ARC`, `WIDTH`, `HALF_LENGTH` in, `LOAD` out [N].
+
+    Returns
+    -------
+    bool
+        Whether the sets of strips came to rest.
+    """
+    s = shaped(state, (ROWS, CAPACITY))
+    places = memory(_PLACES)
+    flags = shaped(places, (3, CAPACITY))
+    active, known, residual = flags[0], flags[1], flags[2]
+    influences = np.empty((count, count))  # row k: of strip k on all
+    matrix = np.empty((count, count))
+    loads = np.empty(count)
+    numbers = np.empty(count, dtype=np.int64)
+    _start(count, guess, state, active)
+    known[:count] = 0.0
+    for rounds in range(_MOST_ROUNDS):
+        n = 0
+        for j in range(count):
+            if active[j] > 0.0:
+                numbers[n] = j
+                n += 1
+                if known[j] == 0.0:
+                    _influence_of(j, count, modulus, state, influences[j])
+                    known[j] = 1.0
+        _solve(n, numbers, influences, state, matrix, loads)
+        one = rounds >= _BLOCK_ROUNDS
+        changed = False
+        for r in range(n):
+            if loads[r] < 0.0 and not (one and changed):
+                active[numbers[r]] = 0.0
+                changed = True
+        if changed:
+            continue
+        for j in range(count):
+            residual[j] = -s[Row.OVERLAP, j]
+        for r in range(n):
+            row, load = influences[numbers[r]], loads[r]
+            for j in range(count):
+                residual[j] += load * row[j]
+        for j in range(count):
+            if active[j] == 0.0 and residual[j] < -_ROUNDING and not (one and changed):
+                active[j] = 1.0
+                changed = True
+        if not changed:
+            guess[:] = 0.0
+            for j in range(count):
+                s[Row.LOAD, j] = 0.0
+                guess[np.uint64(s[Row.NUMBER, j])] = active[j]
+            for r in range(n):
+                s[Row.LOAD, numbers[r]] = loads[r]
+            return True
+    return False
+
+
+@kernel
+def _start(count: int, guess: FloatArray, state: Memory, active: FloatArray) -> None:
+    """Mark the strips of the guess; where it has none, the deeper ones of every stretch of overlap."""
+    s = shaped(state, (ROWS, CAPACITY))
+    guessed = 0.0
+    for j in range(count):
+        active[j] = guess[np.uint64(s[Row.NUMBER, j])]
+        guessed += active[j]
+    if guessed > 0.0:
+        return
+    first = 0
+    while first < count:
+        last, deepest = first, s[Row.OVERLAP, first]
+        while last + 1 < count and s[Row.NUMBER, last + 1] == s[Row.NUMBER, last] + 1.0:
+            last += 1
+            deepest = max(deepest, s[Row.OVERLAP, last])
+        for j in range(first, last + 1):
+            active[j] = 1.0 if s[Row.OVERLAP, j] > _GUESS * deepest else 0.0
+        first = last + 1
+
+
+@kernel
+def _influence_of(k: int, count: int, modulus: float, state: Memory, row: FloatArray) -> None:
+    """Displacement of all strips under a unit load of strip k [m/N] (equation 1 of `influence`)."""
+    s = shaped(state, (ROWS, CAPACITY))
+    inverse = 1.0 / s[Row.HALF_LENGTH, k]
+    width, place = s[Row.WIDTH, k], s[Row.ARC, k]
+    half = 0.5 * width * inverse
+    factor = CENTRING * 2.0 / (math.pi * math.pi * modulus)
+    far, near = factor * inverse, factor / width
+    for j in range(count):
+        t = abs(s[Row.ARC, j] - place) * inverse
+        if t >= 3.9 * half:
+            row[j] = far * mean_density(t, half)
+        else:
+            row[j] = near * (influence_integral(t + half) - influence_integral(t - half))
+
+
+@kernel
+def _solve(
+    n: int,
+    numbers: FloatArray,
+    influences: FloatArray,
+    state: Memory,
+    matrix: FloatArray,
+    loads: FloatArray,
+) -> None:
+    """Loads of the strips in contact: Gauss's elimination; the diagonal is the largest of every column."""
+    s = shaped(state, (ROWS, CAPACITY))
+    for r in range(n):
+        for c in range(n):
+            matrix[r, c] = influences[numbers[c], numbers[r]]
+        loads[r] = s[Row.OVERLAP, numbers[r]]
+    for k in range(n):
+        inverse = 1.0 / matrix[k, k]
+        for r in range(k + 1, n):
+            factor = matrix[r, k] * inverse
+            for c in range(k + 1, n):
+                matrix[r, c] -= factor * matrix[k, c]
+            loads[r] -= factor * loads[k]
+    for k in range(n - 1, -1, -1):
+        value = loads[k]
+        for c in range(k + 1, n):
+            value -= matrix[k, c] * loads[c]
+        loads[k] = value / matrix[k, k]
