@@ -15,8 +15,9 @@ some 0.05 mm, from where the deformed surfaces meet: without influence on any mo
 import math
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.contact_frame import axes_of, point_on_turned_rail, turn_of_rail
+from hh_exudyn.contact.contact_frame import axes_of, moved_ahead, turn_of_rail
 from hh_exudyn.contact.friction import FrictionTable, friction_at
+from hh_exudyn.contact.geometry.rail_tables import surface_slope
 from hh_exudyn.contact.geometry.search import (
     APPROACH,
     CONTACT_ANGLE,
@@ -158,10 +159,12 @@ def _contact_frame(
 ) -> ContactFrame:
     """The contact frame of a patch, along the rail's surface at the contact point."""
     point = (contact[POINT], contact[POINT + 1], contact[POINT + 2])
-    heading, slope = turn_of_rail(pair, along, point, contact[Y_RAIL], rails, i)
-    if heading != 0.0 or slope != 0.0:
-        z, slope_wheel, _ = spline_evaluate(pair.wheel, contact[Y_WHEEL])
-        point = point_on_turned_rail(pair, contact[Y_WHEEL], z, slope_wheel, heading, slope)
+    turn = (rails.turn[i, 0], rails.turn[i, 1], rails.turn[i, 2])
+    heading, slope = turn_of_rail(pair, point, turn)
+    slope += surface_slope(along, rails.arc_length[i], contact[Y_RAIL])
+    _, slope_wheel, _ = spline_evaluate(pair.wheel, contact[Y_WHEEL])
+    ahead = moved_ahead(pair, contact[Y_WHEEL], slope_wheel, point, heading, slope)
+    point = (point[0] + ahead, point[1], point[2])
     cosine = math.cos(contact[CONTACT_ANGLE])
     sine = pair.side * math.sin(contact[CONTACT_ANGLE])
     forward, across, normal = axes_of(cosine, sine, heading, slope)

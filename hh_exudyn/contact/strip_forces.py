@@ -11,9 +11,12 @@ wheel and rail at this strip.
 
 import math
 
+import numpy as np
+
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.contact_frame import axes_of, point_on_turned_rail, turn_of_rail
+from hh_exudyn.contact.contact_frame import axes_of, moved_ahead, turn_of_rail
 from hh_exudyn.contact.friction import FrictionTable, friction_at
+from hh_exudyn.contact.geometry.rail_tables import changes_at, surface_slope
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair
 from hh_exudyn.contact.state import PATCH_COLUMNS, Patch
 from hh_exudyn.contact.strips.creep import strip_creep_forces
@@ -94,7 +97,7 @@ def add_strips(
     return True
 
 
-@kernel
+@inlined_kernel
 def _slip(
     model: WheelRailModel,
     pair: WheelRailPair,
@@ -104,7 +107,7 @@ def _slip(
     count: int,
     state: Memory,
 ) -> None:
-    """Creepages of the strips that carry load and the damping of their loads, in axes of R."""
+    """Creepages of the strips and the damping of their loads, in axes of R."""
     s = shaped(state, (ROWS, CAPACITY))
     side = 0 if pair.side > 0.0 else 1
     along_rail = model.rails_left if side == 0 else model.rails_right
@@ -115,32 +118,35 @@ def _slip(
         wheelsets.velocity[i, 1] - rails.velocity[i, side, 0],
         wheelsets.velocity[i, 2] - rails.velocity[i, side, 1],
     )
-    turning = wheelsets.angular_velocity[i]
-    wx, wy, wz = _into(rails.rotation[i, side], turning[0], turning[1], turning[2])
+    wx, wy, wz = _into(
+        rails.rotation[i, side],
+        wheelsets.angular_velocity[i, 0],
+        wheelsets.angular_velocity[i, 1],
+        wheelsets.angular_velocity[i, 2],
+    )
     lag_x, lag_y = wheelsets.creep_lag[i, side, 0], wheelsets.creep_lag[i, side, 1]
-    given = model.theory == GIVEN
+    if model.theory == GIVEN:  # creep forces follow the creepage at once, of a cylinder but for the conicity
+        lag_x, lag_y = 0.0, 0.0
+    rolls = wheelsets.angular_velocity[i, 1] * model.given.conicity if model.theory == GIVEN else 0.0
+    turn = (rails.turn[i, 0], rails.turn[i, 1], rails.turn[i, 2])
+    changes = changes_at(along_rail, rails.arc_length[i])
+    for j in range(count):
+        slope = surface_slope(along_rail, rails.arc_length[i], s[Row.Y_RAIL, j]) if changes else 0.0
+        s[Row.SLOPE, j] = slope
     inverse_speed = 1.0 / max(wheelsets.velocity[i, 0], CREEPAGE_SPEED_FLOOR)
     for j in range(count):
-        if not s[Row.LOAD, j] > 0.0:
-            continue
-        point = (s[Row.X, j], s[Row.Y, j], s[Row.Z, j])
-        heading, slope = turn_of_rail(pair, along_rail, point, s[Row.Y_RAIL, j], rails, i)
-        s[Row.HEADING, j], s[Row.SLOPE, j] = heading, slope
-        if heading != 0.0 or slope != 0.0:
-            k = int(s[Row.NUMBER, j])
-            point = point_on_turned_rail(pair, strips.y[k], strips.z[k], strips.slope[k], heading, slope)
-            s[Row.X, j], s[Row.Y, j], s[Row.Z, j] = point
+        k = np.uint64(s[Row.NUMBER, j])
+        px, py, pz = s[Row.X, j], s[Row.Y, j], s[Row.Z, j]
+        heading, slope = turn_of_rail(pair, (px, py, pz), turn)
+        slope += s[Row.SLOPE, j]
+        px += moved_ahead(pair, strips.y[k], strips.slope[k], (px, py, pz), heading, slope)
+        s[Row.X, j], s[Row.HEADING, j], s[Row.SLOPE, j] = px, heading, slope
         along, across, normal = axes_of(s[Row.COSINE, j], pair.side * s[Row.SINE, j], heading, slope)
-        x = velocity[0] + wy * point[2] - wz * point[1]
-        y = velocity[1] + wz * point[0] - wx * point[2]
-        z = velocity[2] + wx * point[1] - wy * point[0]
-        slip_x = x * along[0] + y * along[1] + z * along[2]
-        slip_y = x * across[0] + y * across[1] + z * across[2]
-        if given:  # creep forces follow the creepage at once, of a cylinder but for the conicity
-            slip_x -= turning[1] * (model.given.conicity * strips.y[int(s[Row.NUMBER, j])])
-        else:
-            slip_x += lag_x
-            slip_y += s[Row.COSINE, j] * lag_y
+        x = velocity[0] + wy * pz - wz * py
+        y = velocity[1] + wz * px - wx * pz
+        z = velocity[2] + wx * py - wy * px
+        slip_x = x * along[0] + y * along[1] + z * along[2] + lag_x - rolls * strips.y[k]
+        slip_y = x * across[0] + y * across[1] + z * across[2] + s[Row.COSINE, j] * lag_y
         rate = -(x * normal[0] + y * normal[1] + z * normal[2])
         s[Row.NU_X, j], s[Row.NU_Y, j] = slip_x * inverse_speed, slip_y * inverse_speed
         s[Row.PHI, j] = (wx * normal[0] + wy * normal[1] + wz * normal[2]) * inverse_speed

@@ -187,6 +187,12 @@ def gauge_point_at(rails: RailTables, s: float) -> float:
 
 
 @inlined_kernel
+def changes_at(rails: RailTables, s: float) -> bool:
+    """Whether the profile of the rail changes at arc length s [m]."""
+    return _section_at(rails.sections, rails.change_length, s)[1] > 0.0
+
+
+@inlined_kernel
 def surface_slope(rails: RailTables, s: float, y: float) -> float:
     """Slope dz/ds of the rail's surface along the track where its profile changes, zero elsewhere [-].
 

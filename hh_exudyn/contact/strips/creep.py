@@ -23,10 +23,13 @@ from hh_exudyn.contact.tangential.strips import (
     PRESSURE,
     SHAPE,
     STATE_SIZE,
+    W_X,
 )
 from hh_exudyn.contact.types import Memory
 from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
 
+_XI, _THREE, _ONE = W_X, W_X + 3, W_X + 7  # rows for xi, eta, psi and the slip over three and one flexibility
+_SCALED = 11  # rows
 _LEAST_FRICTION = 1e-9  # against 0/0; the forces are proportional to friction itself
 
 
@@ -78,18 +81,16 @@ def strip_creep_forces(
                 )
                 if s[Row.CENTRE, last] == 0.0:
                     ellipse = _ellipse_of(last, shear_modulus, poisson_ratio, state)
-                sticking = _set(last, g, lane, ellipse, poisson_ratio, state, march)
-                m[FIRST, g, lane] = math.floor(sticking * cells_x)
+                _scale_slip(last, g, lane, ellipse, state, march)
                 number += 1
             last += 1
         groups = (number + LANES - 1) // LANES
-        for n in range(number, groups * LANES):
+        for n in range(number, groups * LANES):  # empty
             g, lane = n // LANES, n % LANES
             m[HALF_LENGTH, g, lane], m[PRESSURE, g, lane] = 0.0, 1.0
-            set_strip(
-                g, lane, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0), poisson_ratio, march
-            )
-            m[FIRST, g, lane] = cells_x
+            for row in range(_XI, _XI + _SCALED):
+                m[row, g, lane] = 0.0
+        _set_strips(groups, cells_x, poisson_ratio, march)
         begin(groups, cells_x, march)
         for cell in range(cells_x):
             node = 1.0 - (cell + 1) * step
@@ -130,31 +131,41 @@ def _ellipse_of(j: int, shear_modulus: float, poisson_ratio: float, state: Memor
     )
 
 
+@kernel
+def _set_strips(groups: int, cells_x: int, poisson_ratio: float, march: Memory) -> None:
+    """Solve strip theory in a block and scale the slip for the march; no branches, for vector instructions."""
+    m = shaped(march, SHAPE)
+    for g in range(groups):
+        for lane in range(LANES):
+            sticking = set_strip(
+                g,
+                lane,
+                (m[_XI, g, lane], m[_XI + 1, g, lane], m[_XI + 2, g, lane]),
+                (m[_THREE, g, lane], m[_THREE + 1, g, lane], m[_THREE + 2, g, lane], m[_THREE + 3, g, lane]),
+                (m[_ONE, g, lane], m[_ONE + 1, g, lane], m[_ONE + 2, g, lane], m[_ONE + 3, g, lane]),
+                poisson_ratio,
+                march,
+            )
+            m[FIRST, g, lane] = math.floor(sticking * cells_x)
+
+
 @inlined_kernel
-def _set(
-    j: int, g: int, lane: int, ellipse: _Ellipse, poisson_ratio: float, state: Memory, march: Memory
-) -> float:
-    """Set strip j in the block of the march; returns as `fastrip_theory.set_strip`."""
-    s = shaped(state, (ROWS, CAPACITY))
+def _scale_slip(j: int, g: int, lane: int, ellipse: _Ellipse, state: Memory, march: Memory) -> None:
+    """Write what `fastrip_theory.set_strip` takes of strip j into rows of the block that are not in use yet."""
+    s, m = shaped(state, (ROWS, CAPACITY)), shaped(march, SHAPE)
     inverse = 1.0 / max(s[Row.FRICTION, j], _LEAST_FRICTION)
     mean, lateral, phi = s[Row.MEAN_X, j], s[Row.NU_Y, j], s[Row.PHI, j]
     turn = s[Row.NU_X, j] - mean
     stiff = single_stiffness(
         ellipse.stiff_x, ellipse.stiff_y, ellipse.stiff_phi, mean, s[Row.MEAN_Y, j], ellipse.size * phi
     )
+    m[_XI, g, lane] = inverse * (ellipse.xi * mean + ellipse.psi * turn)
+    m[_XI + 1, g, lane], m[_XI + 2, g, lane] = inverse * ellipse.eta * lateral, inverse * ellipse.psi * phi
     scale = inverse * ellipse.scale
-    three_x, three_y, three_phi = scale * ellipse.stiff_x, scale * ellipse.stiff_y, scale * ellipse.stiff_phi
+    of_phi = scale * ellipse.stiff_phi
+    m[_THREE, g, lane] = scale * ellipse.stiff_x * mean
+    m[_THREE + 1, g, lane] = scale * ellipse.stiff_y * lateral
+    m[_THREE + 2, g, lane], m[_THREE + 3, g, lane] = of_phi * phi, of_phi * turn
     one = scale * stiff
-    return set_strip(
-        g,
-        lane,
-        (
-            inverse * (ellipse.xi * mean + ellipse.psi * turn),
-            inverse * ellipse.eta * lateral,
-            inverse * ellipse.psi * phi,
-        ),
-        (three_x * mean, three_y * lateral, three_phi * phi, three_phi * turn),
-        (one * mean, one * lateral, one * phi, one * turn),
-        poisson_ratio,
-        march,
-    )
+    m[_ONE, g, lane], m[_ONE + 1, g, lane] = one * mean, one * lateral
+    m[_ONE + 2, g, lane], m[_ONE + 3, g, lane] = one * phi, one * turn

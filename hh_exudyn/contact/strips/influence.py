@@ -93,23 +93,23 @@ def influence_integral(t: float) -> float:
 def mean_density(t: float, half: float) -> float:
     """Mean of f over t - half .. t + half, for t >= 4 half: of two strips with one or more between them.
 
-    From f and f'' alone, with f'' = 2 E/(t^2 sqrt(1 + t^2)); good to 4e-4 of f at t = 4 half.
+    No branches, for vector instructions. From f and f'' alone, with f'' = 2 E/(t^2 sqrt(1 + t^2)); good to 4e-4 of f at t = 4 half.
     """
     spread = half / t
-    if t < _END:
-        place = t * _PER_UNIT
-        node = int(place)
-        q = place - node
-        low, high = _DENSITY[node], _DENSITY[node + 1]
-        square = q * q
-        cube = square * q
-        steep = 3.0 * square - 2.0 * cube
-        return (
-            (1.0 - steep) * low[0]
-            + (cube - 2.0 * square + q) * low[1]
-            + steep * high[0]
-            + (cube - square) * high[1]
-            + ((1.0 - q) * low[2] + q * high[2]) * spread * spread
-        )
     inverse = 1.0 / t
-    return _HALF_PI * inverse * (1.0 - 0.125 * inverse * inverse + spread * spread * (1.0 / 3.0))
+    far = _HALF_PI * inverse * (1.0 - 0.125 * inverse * inverse + spread * spread * (1.0 / 3.0))
+    place = min(t, _END) * _PER_UNIT
+    node = np.uint64(place)
+    q = place - node
+    square = q * q
+    cube = square * q
+    steep = 3.0 * square - 2.0 * cube
+    after = node + np.uint64(1)
+    near = (
+        (1.0 - steep) * _DENSITY[node, 0]
+        + (cube - 2.0 * square + q) * _DENSITY[node, 1]
+        + steep * _DENSITY[after, 0]
+        + (cube - square) * _DENSITY[after, 1]
+        + ((1.0 - q) * _DENSITY[node, 2] + q * _DENSITY[after, 2]) * spread * spread
+    )
+    return near if t < _END else far

@@ -32,7 +32,9 @@ _LENGTH = 0.6  # A a^2 / d: 0.73 for a/b = 0.4, 0.5 for a circle, 0.38 for a/b =
 _GUESS = 0.45  # of the largest overlap around; of an ellipse 0.5 to 0.6 is pressed away
 _BLOCK_ROUNDS = 10  # in which many strips change at once; then one at a time, which always ends
 _MOST_ROUNDS = 400
-_PLACES = 3 * CAPACITY
+_PLACES = 5 * CAPACITY
+_FEW = 48  # strips with overlap: the matrices lie on the stack
+_FEW_SQUARE = _FEW * _FEW
 _ROUNDING = 1e-13  # m, of an overlap
 
 
@@ -67,14 +69,31 @@ def solve_loads(count: int, modulus: float, guess: FloatArray, state: Memory) ->
     bool
         Whether the sets of strips came to rest.
     """
+    if count <= _FEW:
+        return _solve_loads(
+            count,
+            modulus,
+            guess,
+            state,
+            shaped(memory(_FEW_SQUARE), (_FEW, _FEW)),
+            shaped(memory(_FEW_SQUARE), (_FEW, _FEW)),
+        )
+    return _solve_loads(count, modulus, guess, state, np.empty((count, count)), np.empty((count, count)))
+
+
+@kernel
+def _solve_loads(
+    count: int,
+    modulus: float,
+    guess: FloatArray,
+    state: Memory,
+    influences: FloatArray,
+    matrix: FloatArray,
+) -> bool:
+    """`solve_loads` with room for the influences (row k: of strip k on all) and the matrix to be solved."""
     s = shaped(state, (ROWS, CAPACITY))
-    places = memory(_PLACES)
-    flags = shaped(places, (3, CAPACITY))
-    active, known, residual = flags[0], flags[1], flags[2]
-    influences = np.empty((count, count))  # row k: of strip k on all
-    matrix = np.empty((count, count))
-    loads = np.empty(count)
-    numbers = np.empty(count, dtype=np.int64)
+    places = shaped(memory(_PLACES), (5, CAPACITY))
+    active, known, residual, loads, numbers = places[0], places[1], places[2], places[3], places[4]
     _start(count, guess, state, active)
     known[:count] = 0.0
     for rounds in range(_MOST_ROUNDS):
@@ -91,14 +110,14 @@ def solve_loads(count: int, modulus: float, guess: FloatArray, state: Memory) ->
         changed = False
         for r in range(n):
             if loads[r] < 0.0 and not (one and changed):
-                active[numbers[r]] = 0.0
+                active[np.uint64(numbers[r])] = 0.0
                 changed = True
         if changed:
             continue
         for j in range(count):
             residual[j] = -s[Row.OVERLAP, j]
         for r in range(n):
-            row, load = influences[numbers[r]], loads[r]
+            row, load = influences[np.uint64(numbers[r])], loads[r]
             for j in range(count):
                 residual[j] += load * row[j]
         for j in range(count):
@@ -111,7 +130,7 @@ def solve_loads(count: int, modulus: float, guess: FloatArray, state: Memory) ->
                 s[Row.LOAD, j] = 0.0
                 guess[np.uint64(s[Row.NUMBER, j])] = active[j]
             for r in range(n):
-                s[Row.LOAD, numbers[r]] = loads[r]
+                s[Row.LOAD, np.uint64(numbers[r])] = loads[r]
             return True
     return False
 
@@ -147,11 +166,17 @@ def _influence_of(k: int, count: int, modulus: float, state: Memory, row: FloatA
     factor = CENTRING * 2.0 / (math.pi * math.pi * modulus)
     far, near = factor * inverse, factor / width
     for j in range(count):
-        t = abs(s[Row.ARC, j] - place) * inverse
-        if t >= 3.9 * half:
-            row[j] = far * mean_density(t, half)
-        else:
+        t = max(abs(s[Row.ARC, j] - place) * inverse, 2.0 * half)
+        row[j] = far * mean_density(t, half)
+    row[k] = near * 2.0 * influence_integral(half)
+    for direction in (-1, 1):  # the strips beside it
+        j = k + direction
+        while 0 <= j < count:
+            t = abs(s[Row.ARC, j] - place) * inverse
+            if t >= 3.9 * half:
+                break
             row[j] = near * (influence_integral(t + half) - influence_integral(t - half))
+            j += direction
 
 
 @kernel
@@ -166,9 +191,10 @@ def _solve(
     """Loads of the strips in contact: Gauss's elimination; the diagonal is the largest of every column."""
     s = shaped(state, (ROWS, CAPACITY))
     for r in range(n):
+        here = np.uint64(numbers[r])
         for c in range(n):
-            matrix[r, c] = influences[numbers[c], numbers[r]]
-        loads[r] = s[Row.OVERLAP, numbers[r]]
+            matrix[r, c] = influences[np.uint64(numbers[c]), here]
+        loads[r] = s[Row.OVERLAP, here]
     for k in range(n):
         inverse = 1.0 / matrix[k, k]
         for r in range(k + 1, n):
