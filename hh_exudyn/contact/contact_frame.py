@@ -1,9 +1,9 @@
 """The contact frame C: where the surface of the rail points at a contact (kernels).
 
 x of C lies along the rail's surface, C is R rolled about x by side * contact angle, z is the normal from the
-rail into the wheel. R is the frame of the rail at the wheelset's arc length; at a contact ahead of the axle, or
-on a twisting or changing rail, the surface runs otherwise by fractions of a milliradian, and C with it: else a
-wheel in a curve or on a ramp would seem to sink into its rail or to leave it.
+rail into the wheel. R is the frame of the rail at the wheelset's arc length; at a contact ahead of the axle,
+or on a twisting or changing rail, the surface runs otherwise by fractions of a milliradian, and C with it:
+else a wheel in a curve or on a ramp would seem to sink into its rail or to leave it.
 """
 
 import math

@@ -34,7 +34,7 @@ from hh_exudyn.contact.normal.hertz import CURVATURE_FLOOR, normal_contact
 from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
 from hh_exudyn.contact.normal.registry import HERTZ
 from hh_exudyn.contact.profiles.spline import spline_evaluate
-from hh_exudyn.contact.state import write_patch
+from hh_exudyn.contact.state import Patch, write_patch
 from hh_exudyn.contact.tangential.registry import GIVEN, force_kernel, strips_kernel
 from hh_exudyn.contact.types import (
     CREEPAGE_SPEED_FLOOR,
@@ -130,6 +130,8 @@ def add_patch(
         NormalContact(elastic, max_pressure * factor, floored),
         slip,
     )
+    record = forces.patches[i, side, number]
+    record[Patch.CENTRE_Y], record[Patch.CENTRE_Z] = pair.centre_y, pair.centre_z
     return True
 
 

@@ -39,7 +39,11 @@ class Patch(IntEnum):
     MOMENT_Z = 15  # [N m]
     APPROACH = 16  # elastic approach along the normal [m]
     POWER = 17  # power lost in the contact, creep and contact damping, > 0 is dissipation [W]
-    FLOORED = 18  # 1 where the lateral curvature met its floor (conformal contact), else 0
+    CENTRE_Y = (
+        18  # wheelset's centre from the origin of the rail's profile, axes of R: with roll and angle of
+    )
+    CENTRE_Z = 19  # attack the pose of the wheel on its rail [m]
+    FLOORED = 20  # 1 where the lateral curvature met its floor (conformal contact), else 0
 
 
 PATCH_COLUMNS = len(Patch)

@@ -22,6 +22,7 @@ from hh_exudyn.contact.state import PATCH_COLUMNS, Patch
 from hh_exudyn.contact.strips.creep import strip_creep_forces
 from hh_exudyn.contact.strips.loads import first_half_lengths, solve_loads
 from hh_exudyn.contact.strips.overlap import overlapping_strips
+from hh_exudyn.contact.strips.pressure import refined_pressures
 from hh_exudyn.contact.strips.shape import shape_strips, touch
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
 from hh_exudyn.contact.tangential.registry import GIVEN
@@ -91,8 +92,17 @@ def add_strips(
     else:
         strip_creep_forces(count, model.shear_modulus, model.poisson_ratio, model.cells_x, state)
     _add_wrench(pair, rails, i, count, state, forces)
+    if forces.refine[0] > 0.0:
+        refined_pressures(count, modulus, state)
     _write_patches(
-        model, pair, wheelsets.velocity[i, 0], rails.rotation[i, side], count, state, forces.patches[i, side]
+        model,
+        pair,
+        wheelsets.velocity[i, 0],
+        rails.rotation[i, side],
+        Row.REFINED if forces.refine[0] > 0.0 else Row.PRESSURE,
+        count,
+        state,
+        forces.patches[i, side],
     )
     return True
 
@@ -225,6 +235,7 @@ def _write_patches(
     pair: WheelRailPair,
     speed: float,
     rotation: FloatArray,
+    pressure: int,
     count: int,
     state: Memory,
     patches: FloatArray,
@@ -238,7 +249,7 @@ def _write_patches(
         if s[Row.LOAD, first] > 0.0:
             while last + 1 < count and touch(last, state):
                 last += 1
-            _write_patch(model, pair, speed, rotation, first, last, state, records[present])
+            _write_patch(model, pair, speed, rotation, pressure, first, last, state, records[present])
             place = present
             while place > 0 and records[place, Patch.NORMAL_FORCE] > records[place - 1, Patch.NORMAL_FORCE]:
                 for column in range(PATCH_COLUMNS):
@@ -260,6 +271,7 @@ def _write_patch(
     pair: WheelRailPair,
     speed: float,
     rotation: FloatArray,
+    pressure: int,
     first: int,
     last: int,
     state: Memory,
@@ -286,7 +298,7 @@ def _write_patch(
         record[Patch.PHI] += load * s[Row.PHI, j]
         record[Patch.FRICTION] += load * s[Row.FRICTION, j]
         record[Patch.APPROACH] = max(record[Patch.APPROACH], s[Row.OVERLAP, j])
-        record[Patch.P_MAX] = max(record[Patch.P_MAX], s[Row.PRESSURE, j])
+        record[Patch.P_MAX] = max(record[Patch.P_MAX], s[pressure, j])
         if load > peak:
             peak, record[Patch.A], record[Patch.B] = load, s[Row.A, j], s[Row.B, j]
         # lost are the creep power and the damping part of the normal power; the elastic part comes back
@@ -314,6 +326,7 @@ def _write_patch(
     record[Patch.CONTACT_ANGLE] = math.atan2(inward, upward)
     record[Patch.X_SHIFT] = rotation[0, 0] * px + rotation[0, 1] * py + rotation[0, 2] * pz
     record[Patch.POWER] = power
+    record[Patch.CENTRE_Y], record[Patch.CENTRE_Z] = pair.centre_y, pair.centre_z
     for j in range(first, last + 1):
         # tangents and normals of the strips in the plane across the rail, seen from those of the patch
         turn = cosine * s[Row.COSINE, j] + sine * s[Row.SINE, j]

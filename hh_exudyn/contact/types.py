@@ -120,6 +120,7 @@ class ContactForces(NamedTuple):
     rail_force: FloatArray  # (n, 2, 2) y and z force on each rail, axes of T [N]
     patches: FloatArray  # (n, 2, MAX_PATCHES, PATCH_COLUMNS) states, most loaded first; without contact zero
     in_contact: FloatArray  # (n, 2, strips.table.CAPACITY) strips in contact, also the next guess
+    refine: FloatArray  # (1,) 1 where the records are wanted with the pressures of `strips.pressure`, else 0
 
 
 class RollingPatch(NamedTuple):

@@ -321,6 +321,7 @@ def _solve(
         rail_force=np.zeros((1, 2, 2)),
         patches=np.zeros((1, 2, MAX_PATCHES, PATCH_COLUMNS)),
         in_contact=np.zeros((1, 2, CAPACITY)),
+        refine=np.ones(1),
     )
     friction = constant_friction([[pose.friction, pose.friction]])
     status = wheel_rail_forces(model, wheelset, rails, friction, forces)

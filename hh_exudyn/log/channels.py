@@ -41,7 +41,7 @@ CONTACT = (
     Column("bogie", WHEELSET, "-", "bogie of the vehicle, from 1 at the leading end", kind="int32"),
     Column("wheelset", WHEELSET, "-", "wheelset of the vehicle, from 1 at the leading end", kind="int32"),
     Column("side", WHEEL, "-", "+1 left, -1 right", kind="int32"),
-    Column("patch", WHEEL, "-", "patch of the wheel, from 0, deepest first", kind="int32"),
+    Column("patch", WHEEL, "-", "patch of the wheel, from 0, most loaded first", kind="int32"),
     Column("y_wheel", PATCH, "m", "lateral position on the wheel profile (side coordinates)"),
     Column("y_rail", PATCH, "m", "lateral position on the rail profile (side coordinates)"),
     Column("x_shift", PATCH, "m", "contact ahead of the wheelset's centre, along the track"),
@@ -64,6 +64,8 @@ CONTACT = (
     Column("angle_of_attack", WHEEL, "rad", "yaw of the wheelset to this wheel's rail, left positive"),
     Column("y_wheelset", WHEELSET, "m", "lateral position of the wheelset's centre, left positive"),
     Column("approach", PATCH, "m", "elastic approach along the normal"),
+    Column("centre_y", PATCH, "m", "centre of the wheelset from the origin of the rail profile, along its y"),
+    Column("centre_z", PATCH, "m", "the same along its z: with roll and angle_of_attack the wheel's pose"),
     Column("roll", WHEEL, "rad", "roll of the wheelset to this wheel's rail, right-hand about x"),
     Column("yaw", WHEELSET, "rad", "yaw of the wheelset to the track frame, left positive"),
 )

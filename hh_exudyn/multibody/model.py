@@ -151,6 +151,7 @@ class Workspace(NamedTuple):
     rail_force: FloatArray  # (wheelsets, 2, 2)
     patches: FloatArray  # (wheelsets, 2, MAX_PATCHES, PATCH_COLUMNS)
     in_contact: FloatArray  # (wheelsets, 2, CAPACITY) strips, also the next guess
+    refine: FloatArray  # (1,) whether a record of the contacts is wanted, as in `ContactForces`
     new_sliders: FloatArray  # (couplings, SLIDERS)
     ledger: FloatArray  # (len(Ledger),)
     generalized_force: FloatArray  # (coordinates,)
@@ -238,6 +239,7 @@ def workspace(model: SystemModel) -> Workspace:
         rail_force=np.zeros((wheelsets, 2, 2)),
         patches=np.zeros((wheelsets, 2, MAX_PATCHES, PATCH_COLUMNS)),
         in_contact=np.zeros((wheelsets, 2, CAPACITY)),
+        refine=np.zeros(1),
         new_sliders=np.zeros((len(model.couplings.kind), SLIDERS)),
         ledger=np.zeros(len(Ledger)),
         generalized_force=np.zeros(coordinates(model)),

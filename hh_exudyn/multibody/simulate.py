@@ -207,6 +207,7 @@ class _Integration:
         # the same numbers as q and q_t, four times faster than these lists
         q = mbs.systemData.GetODE2Coordinates()
         v = mbs.systemData.GetODE2Coordinates_t()
+        self._work.refine[0] = float(self._accepted and self._steps % self._steps_per_output == 0)
         kernel_start = clock.perf_counter()
         status = evaluate_bundle(self._bundle, self._sliders, q, v, time, False)
         self._kernel_time += clock.perf_counter() - kernel_start

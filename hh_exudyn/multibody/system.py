@@ -75,7 +75,7 @@ def evaluate(
         work.rail_turn,
         work.rail_velocity,
     )
-    forces = ContactForces(work.wrench, work.rail_force, work.patches, work.in_contact)
+    forces = ContactForces(work.wrench, work.rail_force, work.patches, work.in_contact, work.refine)
     status = wheel_rail_forces(model.wheel_rail, wheelsets, rails, model.friction, forces)
     _contact_forces(model, work)
     _generalized_forces(model, work, q, v)

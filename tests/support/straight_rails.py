@@ -4,6 +4,7 @@ import numpy as np
 
 from hh_exudyn.contact.geometry.rail_tables import gauge_point_at
 from hh_exudyn.contact.state import PATCH_COLUMNS
+from hh_exudyn.contact.strips.table import CAPACITY
 from hh_exudyn.contact.types import MAX_PATCHES, ContactForces, RailMotion, WheelRailModel
 
 
@@ -35,4 +36,6 @@ def no_forces(n: int, fill: float = np.nan) -> ContactForces:
         wrench=np.full((n, 6), fill),
         rail_force=np.full((n, 2, 2), fill),
         patches=np.full((n, 2, MAX_PATCHES, PATCH_COLUMNS), fill),
+        in_contact=np.zeros((n, 2, CAPACITY)),
+        refine=np.ones(1),
     )

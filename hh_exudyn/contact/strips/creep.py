@@ -133,7 +133,7 @@ def _ellipse_of(j: int, shear_modulus: float, poisson_ratio: float, state: Memor
 
 @kernel
 def _set_strips(groups: int, cells_x: int, poisson_ratio: float, march: Memory) -> None:
-    """Solve strip theory in a block and scale the slip for the march; no branches, for vector instructions."""
+    """Solve strip theory in a block and scale the slip for the march; without branches, for vectors."""
     m = shaped(march, SHAPE)
     for g in range(groups):
         for lane in range(LANES):
@@ -151,7 +151,7 @@ def _set_strips(groups: int, cells_x: int, poisson_ratio: float, march: Memory) 
 
 @inlined_kernel
 def _scale_slip(j: int, g: int, lane: int, ellipse: _Ellipse, state: Memory, march: Memory) -> None:
-    """Write what `fastrip_theory.set_strip` takes of strip j into rows of the block that are not in use yet."""
+    """Write the arguments of `fastrip_theory.set_strip` for strip j into rows not in use yet."""
     s, m = shaped(state, (ROWS, CAPACITY)), shaped(march, SHAPE)
     inverse = 1.0 / max(s[Row.FRICTION, j], _LEAST_FRICTION)
     mean, lateral, phi = s[Row.MEAN_X, j], s[Row.NU_Y, j], s[Row.PHI, j]

@@ -56,6 +56,7 @@ class Row(IntEnum):
     MOMENT_Z = 28
     HEADING = 29  # of the rail at the strip against R [-]
     SLOPE = 30
+    REFINED = 31  # pressure in the strip's middle by the second solution [Pa]: for the records alone
 
 
 ROWS = len(Row)
