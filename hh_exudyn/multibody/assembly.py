@@ -34,7 +34,7 @@ from vehicles.description import Vehicle
 from vehicles.start import start_front, start_middle
 
 SHORTEST_TRANSITION = 5e-3  # m, a wheel about to lift off has a patch too short for any time step
-LARGEST_LAG_RATE = 1.5  # of the creepage's transition per time step; RK4 is stable up to 2.78
+LARGEST_LAG_RATE = 1.5  # of the creepage's transition per time step; RK33 is stable up to 2.51
 
 
 def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
@@ -247,7 +247,10 @@ def exudyn_system(
 
 
 def explicit_settings(duration: float, step: float) -> Any:
-    """Exudyn's settings for the explicit Runge-Kutta method of fourth order at a constant step.
+    """Exudyn's settings for the explicit Runge-Kutta method of third order at a constant step.
+
+    Three evaluations a step instead of the fourth order's four, for a stability limit 10 % lower: at 0.4 ms
+    the error of both lies below that of friction's steps and of the contact's strips.
 
     Parameters
     ----------
@@ -258,8 +261,8 @@ def explicit_settings(duration: float, step: float) -> Any:
     steps = max(1, math.floor(duration / step + 1e-9))
     settings.timeIntegration.endTime = steps * step
     settings.timeIntegration.numberOfSteps = steps
-    settings.timeIntegration.solverType = exu.DynamicSolverType.RK44
-    # four evaluations a step instead of five; nothing here reads accelerations
+    settings.timeIntegration.solverType = exu.DynamicSolverType.RK33
+    # three evaluations a step instead of four; nothing here reads accelerations
     settings.timeIntegration.explicit.computeEndOfStepAccelerations = False
     # the mass matrix is block diagonal: the sparse solve saves a third of Exudyn's time
     settings.linearSolver.solverType = exu.LinearSolverType.EigenSparse

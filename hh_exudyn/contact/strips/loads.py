@@ -168,15 +168,16 @@ def _influence_of(k: int, count: int, modulus: float, state: Memory, row: FloatA
     for j in range(count):
         t = max(abs(s[Row.ARC, j] - place) * inverse, 2.0 * half)
         row[j] = far * mean_density(t, half)
-    row[k] = near * 2.0 * influence_integral(half)
+    own = influence_integral(half)
+    beside = influence_integral(3.0 * half) - own
+    row[k] = near * 2.0 * own
     for direction in (-1, 1):  # the strips beside it
         j = k + direction
-        while 0 <= j < count:
-            t = abs(s[Row.ARC, j] - place) * inverse
-            if t >= 3.9 * half:
-                break
-            row[j] = near * (influence_integral(t + half) - influence_integral(t - half))
-            j += direction
+        if 0 <= j < count and abs(s[Row.NUMBER, j] - s[Row.NUMBER, k]) == 1.0:
+            row[j] = near * beside
+            if s[Row.WIDTH, j] != width:
+                t = abs(s[Row.ARC, j] - place) * inverse
+                row[j] = near * (influence_integral(t + half) - influence_integral(t - half))
 
 
 @kernel

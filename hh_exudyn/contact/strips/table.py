@@ -13,7 +13,7 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.contact.types import SplineTable, WheelStrips
 
-TREAD_WIDTH, FLANGE_WIDTH = 1.0e-3, 0.5e-3  # m, of strips
+TREAD_WIDTH, FLANGE_WIDTH = 1.25e-3, 0.75e-3  # m, of strips
 _TREAD_END = 0.020  # m, y on the wheel profile where flange root begins and strips become narrower
 CAPACITY = 192  # strips of one wheel at most; a multiple of 8, for vector instructions
 _SAMPLING = 20e-6  # m, of the arc length
@@ -82,17 +82,18 @@ def wheel_strips(wheel: SplineTable, tread: float = TREAD_WIDTH, flange: float =
     z = _evaluate(wheel, y)[0]
     arc = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
     change = float(np.interp(min(max(_TREAD_END, start), end), y, arc))
-    # counted from the change on, so that a profile cut off elsewhere has the same strips
-    edges = np.empty(0)
-    while edges.size == 0 or edges.size - 1 > CAPACITY:
-        before = change - tread * np.arange(math.floor(change / tread), 0, -1)
-        behind = change + flange * np.arange(math.floor((arc[-1] - change) / flange) + 1)
-        edges = np.concatenate([before, behind])
+    wide, narrow = math.floor(change / tread), math.floor((arc[-1] - change) / flange)
+    while wide + narrow > CAPACITY:
         tread, flange = 1.1 * tread, 1.1 * flange
-    middle = 0.5 * (edges[1:] + edges[:-1])
+        wide, narrow = math.floor(change / tread), math.floor((arc[-1] - change) / flange)
+    # counted from the change on, so that a profile that ends elsewhere has the same strips
+    middle = np.concatenate(
+        [change - tread * (np.arange(wide, 0, -1) - 0.5), change + flange * (np.arange(narrow) + 0.5)]
+    )
     place = np.interp(middle, arc, y)
     height, slope = _evaluate(wheel, place)
-    return WheelStrips(place, height, slope, middle, np.diff(edges))
+    width = np.concatenate([np.full(wide, tread), np.full(narrow, flange)])
+    return WheelStrips(place, height, slope, middle, width)
 
 
 def _evaluate(wheel: SplineTable, y: FloatArray) -> tuple[FloatArray, FloatArray]:

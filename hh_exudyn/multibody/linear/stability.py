@@ -27,9 +27,9 @@ def eigenvalues(model: SystemModel, work: Workspace, state: Equilibrium) -> NDAr
 
 
 def largest_stable_step(values: NDArray[np.complex128]) -> float:
-    """Largest step [s] at which the classical Runge-Kutta method amplifies no eigenvector that decays.
+    """Largest step [s] at which the Runge-Kutta method of third order amplifies no eigenvector that decays.
 
-    |1 + z + z^2/2 + z^3/6 + z^4/24| <= 1 with z = step * eigenvalue (Hairer, Norsett and Wanner 1993, II.1);
+    |1 + z + z^2/2 + z^3/6| <= 1 with z = step * eigenvalue (Hairer, Norsett and Wanner 1993, II.1);
     eigenvectors that grow by themselves may grow as they do.
 
     Parameters
@@ -39,7 +39,7 @@ def largest_stable_step(values: NDArray[np.complex128]) -> float:
     decaying = values[values.real < -1e-3 * np.abs(values)]
     steps = np.linspace(0.0, LARGEST_STEP, 401)[1:]
     z = steps[:, None] * decaying[None, :]
-    growth = np.abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))))
+    growth = np.abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0)))
     unstable = np.flatnonzero((growth > 1.0).any(axis=1))
     return float(steps[unstable[0] - 1]) if unstable.size and unstable[0] > 0 else LARGEST_STEP
 
