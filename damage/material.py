@@ -32,7 +32,9 @@ _PASCAL = {"MPa": 1e6, "HB": 9.80665e6}  # Brinell hardness is in kgf/mm^2
 
 @dataclass(frozen=True)
 class WheelMaterial:
-    """A wheel steel. Strengths that are not known are None: a model that needs them says so.
+    """A wheel steel.
+
+    Strengths that are not known are None: a model that needs them says so.
 
     Attributes
     ----------
@@ -123,9 +125,14 @@ class WheelMaterial:
         return value
 
 
+def wheel_materials() -> tuple[str, ...]:
+    """Names of all grades."""
+    return table_names("materials")
+
+
 def material_parameters(name: str) -> dict[str, Parameter]:
     """Numbers of a grade with their sources. Raises ValueError for an unknown one (lists the known)."""
-    known = table_names("materials")
+    known = wheel_materials()
     if name not in known:
         raise ValueError(f"wheel material {name!r} is not known; known: {', '.join(known)}")
     return parameters("materials", name)

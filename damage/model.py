@@ -18,6 +18,8 @@ _NOTHING_WIPED = BurstowLimits(math.inf, 1.0, math.inf)  # thresholds that no en
 class DamageModel:
     """Settings of a damage computation.
 
+    A report depends on these and the log alone.
+
     Attributes
     ----------
     material

@@ -136,9 +136,10 @@ def assess(
 ) -> DamageReport:
     """Wear and rolling contact fatigue of all wheels of a run.
 
-    Every contact state is solved again on a fine grid for its stresses and slip. The arguments from
-    `material` on are the settings of `damage.model.DamageModel`, each with a default: more than eight, so
-    that a call names only those that differ.
+    Every contact state is solved again on a fine grid for its stresses and slip.
+
+    Twelve arguments: settings of `damage.model.DamageModel` from `material` on, each with a default, so that
+    a call names only those that differ.
 
     Parameters
     ----------

@@ -128,7 +128,7 @@ def _cache_folder(part: str) -> Path | None:
 
 
 # What is written out for four or eight numbers that lie side by side becomes vector instructions; numba
-# leaves that out unless told. It changes no sum's order, so no result.
+# leaves that out unless asked. It changes no sum's order, so no result.
 numba.config.SLP_VECTORIZE = 1
 
 

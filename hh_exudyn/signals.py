@@ -56,10 +56,8 @@ def band_pass(
 
     Parameters
     ----------
-    values : (n, ...) array
-        Samples at equal intervals along the first axis.
-    interval : float
-        Between samples [s].
+    values, interval
+        As for `low_pass`.
     band : (float, float)
         Lower and upper frequency, where 1 / sqrt(2) of the amplitude is left [Hz].
     padding : float or None

@@ -100,7 +100,7 @@ def dry_friction(
 ) -> tuple[float, float, float, float]:
     """Two-dimensional Coulomb friction with an elastic spring before the slider and a damper beside both.
 
-    Its eleven arguments are plain numbers because programs outside of the toolkit call it.
+    Eleven arguments: plain numbers, since programs outside of the toolkit call it.
 
     Parameters
     ----------
@@ -175,14 +175,14 @@ def _damper_share(
 ) -> float:
     """Largest share 0..1 of the damper's force that keeps the sum with the spring's within its bound.
 
+    The larger root of |spring + share damper| = bound + share growth damper_u.
+
     Parameters
     ----------
     spring_u, spring_w : force of the spring, within the bound [N]
     damper_u, damper_w : the whole force of the damper, too much for the bound [N]
     bound : [N], at the spring's force alone
     growth : of the bound per force of the damper in u, -1 < growth < 1
-
-    The larger root of |spring + share damper| = bound + share growth damper_u.
     """
     square = damper_u * damper_u * (1.0 - growth * growth) + damper_w * damper_w
     half = spring_u * damper_u + spring_w * damper_w - bound * growth * damper_u
@@ -218,7 +218,7 @@ def wedge(
 
     so that in sliding |T| = mu Fs / (tan(a) - mu T_v/|T|): more when the bolster goes down (T_v > 0) than
     when it comes up. `tan_slope` must exceed `friction`, else the wedge jams, which
-    `vehicles.couplings.Wedge` refuses. Its eleven arguments are those of `dry_friction` and the wedge's own.
+    `vehicles.couplings.Wedge` refuses. Eleven arguments: those of `dry_friction` and the wedge's own.
 
     Spring, slider and damper of the sticking face are those of `dry_friction`, with this cone for the bound:
     slip comes back to it in the direction of the friction, as Coulomb's law has it, and the damper takes what

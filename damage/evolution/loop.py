@@ -64,7 +64,9 @@ def evolve(
     track: ConicityTrack | None = None,
     progress: Progress | None = None,
 ) -> WearHistory:
-    """The life of a wheel up to a distance; goes on where the directory's last step ends.
+    """The life of a wheel up to a distance.
+
+    A directory that holds steps is gone on with where its last step ends.
 
     Parameters
     ----------

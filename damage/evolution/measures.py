@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from hh_exudyn.contact.geometry.functions import TAPE_DISTANCE, equivalent_conicity
+from hh_exudyn.contact.functions import TAPE_DISTANCE, equivalent_conicity
 from hh_exudyn.contact.profile import Profile, rail_profile
 from hh_exudyn.contact.profiles.measures import (
     flange_angle,

@@ -65,11 +65,11 @@ def worn_profile(
     back = np.diff(y) <= 0.0
     if back.any():
         at = int(np.argmax(back))
+        change, along = 1e3 * np.ptp(depth[at : at + 2]), 1e3 * (s[at + 1] - s[at])
         raise ValueError(
             f"wheel profile {wheel.name!r} folds over at y = {1e3 * wheel.y[at]:.2f} mm when it wears by "
-            f"up to {1e3 * depth.max():.4g} mm in a step of {1e-3 * distance:.4g} km: the depth changes "
-            f"by {1e3 * np.ptp(depth[at : at + 2]):.4g} mm over {1e3 * (s[at + 1] - s[at]):.3g} mm there; "
-            "smaller steps or smoother wear are needed"
+            f"up to {1e3 * depth.max():.4g} mm in a step of {1e-3 * distance:.4g} km: the depth changes by "
+            f"{change:.4g} mm over {along:.3g} mm there; smaller steps or smoother wear are needed"
         )
     lost = float(np.interp(0.0, y, z) - np.interp(0.0, wheel.y, wheel.z))
     return Profile(wheel.name if name is None else name, "wheel", y, z - lost), lost

@@ -62,12 +62,7 @@ def partial_slip_figure(
     traction_ratio
         Q/P [-], -mu..mu.
     depths
-        Depths over a [-], >= 0.
-
-    Raises
-    ------
-    ValueError
-        An argument out of range.
+        As in `trajectories_figure`, and so are the errors.
     """
     if not friction > 0.0:
         raise ValueError(f"friction = {friction} [-] must be > 0")

@@ -25,14 +25,10 @@ def shakedown_figure(
 
     Parameters
     ----------
-    run
-        A run, its directory, or its contact log as a table.
+    run, flange_angle, skip_bad_rows
+        As for `damage.shakedown.working_points.working_points`.
     material
         The wheel steel.
-    flange_angle
-        Contact angle above which a contact counts as flange contact [rad].
-    skip_bad_rows
-        Impossible rows are skipped; otherwise they raise.
     """
     points = working_points(run, material.shear_yield, flange_angle, skip_bad_rows)
     tread = ~points.flange

@@ -131,12 +131,8 @@ def timed_states(
 
     Parameters
     ----------
-    source
-        The contact log.
-    rows
-        Largest number of rows of a piece.
-    bad_rows
-        Impossible rows are skipped and counted in it; None raises.
+    source, rows, bad_rows
+        As for `damage.log_input.contact_states.contact_chunks`.
     clock
         Output times of the whole log where `source` is a piece of it, or is not in order of time; None finds
         them on the way.

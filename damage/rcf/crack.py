@@ -28,6 +28,8 @@ from damage.surface.lateral_grid import LateralGrid, spread
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import kernel
 
+_UNITS = {"fatigue_index": "-", "stress_index": "Pa"}  # of the indices that a relation may take
+
 
 @dataclass(frozen=True)
 class LifeRelation:
@@ -65,11 +67,10 @@ class LifeRelation:
     source: str
 
     def __post_init__(self) -> None:
-        if self.index not in ("fatigue_index", "stress_index"):
-            raise ValueError(
-                f"index = {self.index!r} of {self.name}; allowed are 'fatigue_index' and 'stress_index'"
-            )
-        check_above_zero("unit", self.unit, "-" if self.index == "fatigue_index" else "Pa", self.name)
+        if self.index not in _UNITS:
+            allowed = " and ".join(map(repr, _UNITS))
+            raise ValueError(f"index = {self.index!r} of {self.name}; allowed are {allowed}")
+        check_above_zero("unit", self.unit, _UNITS[self.index], self.name)
         check_above_zero("coefficient", self.coefficient, "-", self.name)
         if not (math.isfinite(self.exponent) and self.exponent < 0.0):
             raise ValueError(f"exponent = {self.exponent} of {self.name} must be finite and < 0")

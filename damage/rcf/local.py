@@ -240,14 +240,9 @@ def distributed_index(
 
     Parameters
     ----------
-    force_x, force_y
-        Creep forces [N], scalars or (n,).
-    normal_force
-        [N], > 0.
-    a, b
-        Semi-axes [m], > 0.
-    shear_yield
-        k [Pa], > 0.
+    force_x, force_y, normal_force, a, b, shear_yield
+        As for `damage.rcf.surface_index.surface_fatigue_index`, scalars or (n,); the normal force and the
+        semi-axes > 0.
     strips
         Strips across the patch, as the cells of `local_indices`.
 

@@ -157,15 +157,7 @@ def fatigue_probability(index: ArrayLike, interval: ArrayLike = 1.0) -> float:
     interval
         Weight of each, as the time it stands for, >= 0; equal without it.
 
-    Returns
-    -------
-    float
-        0..1; 0 where there is no time.
-
-    Raises
-    ------
-    ValueError
-        An index that is NaN, a negative interval.
+    Result and errors are those of `fatigue_area_index`.
     """
     values, time = np.broadcast_arrays(*_checked_series(index, interval))
     whole = float(np.sum(time))

@@ -39,6 +39,8 @@ def archard(
 ) -> WearLaw:
     """Archard's law with Jendel's map.
 
+    A cell that slips wears by k p s / H: the coefficient k follows from its pressure and sliding velocity.
+
     Parameters
     ----------
     surface

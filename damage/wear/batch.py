@@ -81,7 +81,9 @@ def wear_depths(
     cells: tuple[int, int] = (50, 50),
     material: Material = STEEL,
 ) -> WearDepths:
-    """Solve contact states and wear them by a law; the signature is the same for every law.
+    """Solve contact states and wear them by a law.
+
+    The signature is the same for every law.
 
     Parameters
     ----------

@@ -33,6 +33,8 @@ GROUP = "hh_exudyn.wear_laws"
 class LawRecord:
     """A wear law as the toolkit knows it.
 
+    Help texts and checks need the record only; the module of the law is imported when the law is made.
+
     Attributes
     ----------
     name

@@ -18,15 +18,35 @@ falls with slip, and from where on the track any of this is different::
 
 from collections.abc import Iterable
 from itertools import pairwise
-from typing import Any, Self
+from typing import Annotated, Self, TypeVar
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import AfterValidator, Field, model_validator
 
 from hh_exudyn.case.errors import closest
 from hh_exudyn.case.fields import CaseTable, number
 from hh_exudyn.contact.friction import FrictionTable
 from track.friction import ZONES, Falling, Friction, FrictionSection, Zones, climate, falling, known
 
+_Names = TypeVar("_Names", str, tuple[str, ...])
+
+
+def _named(kind: str) -> AfterValidator:
+    """A check of a name, or several, that the data file must have; its ValueError is the field's message."""
+
+    def checked(value: _Names) -> _Names:
+        names = known(kind)
+        for name in (value,) if isinstance(value, str) else value:
+            if name not in names:
+                raise ValueError(f"allowed {', '.join(names)}{closest(name, names)}")
+        return value
+
+    return AfterValidator(checked)
+
+
+_Climate = Annotated[str, _named("climate")]
+_Falling = Annotated[str, _named("falling")]
+_Treatment = Annotated[str, _named("treatment")]
+_Treatments = Annotated[tuple[str, ...], _named("treatment")]
 _A_LIST = 'a list of treatments, as ["flange_lubrication"]'
 _WHEELSETS = "a list of whole numbers, 1 the leading wheelset"
 
@@ -37,24 +57,11 @@ class SurfaceCase(CaseTable):
     Keys that are left out are those of the table around it. Climates and treatments: `track.friction.known`.
     """
 
-    climate: str | None = None
+    climate: _Climate | None = None
     tread: float | None = number("-", 0.01, 1.0, None)
     gauge_corner: float | None = number("-", 0.01, 1.0, None)
     flange: float | None = number("-", 0.01, 1.0, None)
-    treatments: tuple[str, ...] | None = Field(None, strict=False, json_schema_extra={"allowed": _A_LIST})
-
-    @field_validator("climate")
-    @classmethod
-    def _check_climate(cls, value: str | None) -> str | None:
-        if value is not None:
-            _require_known("climate", (value,))
-        return value
-
-    @field_validator("treatments")
-    @classmethod
-    def _check_treatments(cls, value: tuple[str, ...] | None) -> tuple[str, ...] | None:
-        _require_known("treatment", value or ())
-        return value
+    treatments: _Treatments | None = Field(None, strict=False, json_schema_extra={"allowed": _A_LIST})
 
     @model_validator(mode="after")
     def _check_one_way(self) -> Self:
@@ -101,26 +108,13 @@ class FrictionCase(BothRailsCase):
     treatment, wherever they are. One section changes into the next over `ramp_m`.
     """
 
-    falling: str | None = None
+    falling: _Falling | None = None
     lubricated_wheelsets: tuple[int, ...] = Field((), strict=False, json_schema_extra={"allowed": _WHEELSETS})
-    lubrication: str = "flange_lubrication"
+    lubrication: _Treatment = "flange_lubrication"
     ramp_m: float = number("m", 0.1, 100, 2.0)
     sections: tuple[FrictionSectionCase, ...] = Field(
         (), strict=False, json_schema_extra={"allowed": "tables [[friction.sections]]"}
     )
-
-    @field_validator("falling")
-    @classmethod
-    def _check_falling(cls, value: str | None) -> str | None:
-        if value is not None:
-            _require_known("falling", (value,))
-        return value
-
-    @field_validator("lubrication")
-    @classmethod
-    def _check_lubrication(cls, value: str) -> str:
-        _require_known("treatment", (value,))
-        return value
 
     @model_validator(mode="after")
     def _check_sections(self) -> Self:
@@ -188,11 +182,3 @@ def _zones(tables: Iterable[SurfaceCase | None]) -> Zones:
         raise ValueError(f"climate is missing: allowed {', '.join(known('climate'))}; or {', '.join(ZONES)}")
     treatments = next((table.treatments for table in said if table.treatments is not None), ())
     return zones.treated(*treatments)
-
-
-def _require_known(kind: str, names: Iterable[Any]) -> None:
-    """ValueError, as the message of a field, for a name that the data file does not have."""
-    names_known = known(kind)
-    for name in names:
-        if name not in names_known:
-            raise ValueError(f"allowed {', '.join(names_known)}{closest(name, names_known)}")

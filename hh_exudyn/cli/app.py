@@ -41,6 +41,10 @@ if TYPE_CHECKING:
     from hh_exudyn.log.store import Run
 
 RECORDING = "playback.rrd"
+NewRecording = Annotated[
+    Path | None,
+    typer.Option(metavar="F.rrd", help="Write the recording to this new file and open no viewer."),
+]
 
 app = typer.Typer(
     help="Wheel damage on heavy-haul railways.",
@@ -107,10 +111,7 @@ def demo(out_folder: inputs.NewFolder) -> None:
 @app.command()
 def playback(
     folder: inputs.RunFolder,
-    save: Annotated[
-        Path | None,
-        typer.Option(metavar="F.rrd", help="Write the recording to this new file and open no viewer."),
-    ] = None,
+    save: NewRecording = None,
 ) -> None:
     """Play a run in the rerun viewer, or save its recording."""
     with output.errors_in_one_line(folder):

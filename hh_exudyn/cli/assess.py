@@ -32,6 +32,12 @@ _SHOWN = {  # quantity: heading, factor, digits
 }
 
 
+NewTable = Annotated[
+    Path | None,
+    typer.Option(metavar="F.csv", help="Write every section and place to this new file, in SI."),
+]
+
+
 def register(app: typer.Typer) -> None:
     """Add the command of this file to the program."""
     app.command()(assess)
@@ -40,10 +46,7 @@ def register(app: typer.Typer) -> None:
 def assess(
     folder: inputs.RunFolder,
     figure: inputs.NewFigure = None,
-    table: Annotated[
-        Path | None,
-        typer.Option(metavar="F.csv", help="Write every section and place to this new file, in SI."),
-    ] = None,
+    table: NewTable = None,
     unit: Annotated[int, typer.Option(metavar="N", help="Of a vehicle of several units, 1 leading.")] = 1,
     section_length_m: Annotated[
         float | None,

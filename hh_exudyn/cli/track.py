@@ -14,6 +14,7 @@ import typer
 from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
+from hh_exudyn.cli.names import NamesInHelp
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -40,10 +41,10 @@ def _track() -> None:
     """Look at tracks and lines."""
 
 
-@track.command()
+@track.command(cls=NamesInHelp)
 def plot(
     source: Annotated[
-        str, typer.Argument(metavar="CASE|LINE", help="Case file, name of a line, or a line's file.")
+        str, typer.Argument(metavar="CASE|LINE", help="Case file, a line ({lines}), or a line's file.")
     ],
     figure: inputs.NewFigure = None,
     speed_km_h: Annotated[

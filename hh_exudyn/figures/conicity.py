@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.geometry.functions import ContactFunctions, WheelsetFunctions
+from hh_exudyn.contact.functions import ContactFunctions, WheelsetFunctions
 from hh_exudyn.contact.geometry.merit import ConicityReport
 from hh_exudyn.contact.profile import Profile
 

@@ -9,7 +9,6 @@ The patch is seen from above, in the contact frame: rolling direction to the rig
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -19,7 +18,7 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.patches import Ellipse
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.tangential.api import CreepForce, TractionField
+from hh_exudyn.contact.tangential.api import CreepForce, PatchLoad, TractionField
 
 _TRACTION_COLOURS, _SLIP_COLOURS = "viridis", "YlOrRd"
 _X_COLOUR, _Y_COLOUR, _MOMENT_COLOUR = "#2b5c8a", "#c2571a", "#7a7a7a"
@@ -28,38 +27,6 @@ _LONGEST_ARROW, _LONGEST_MAP, _STRIP_HEIGHT = 0.3, 2.2, 1.7  # inch
 _SHOWN_SLIP = 98.0  # percentile of the slip velocity that the colours end at: it peaks at the trailing edge
 _LONGEST_BAR = 1.25  # friction * normal force; the linear theory has no limit
 _MARGIN = 1.12
-
-
-@dataclass(frozen=True)
-class PatchLoad:
-    """Size, load, creepages and friction of a patch.
-
-    Attributes
-    ----------
-    a, b : float
-        Semi-axes in rolling direction and lateral [m], > 0.
-    normal_force : float
-        [N], > 0.
-    nu_x, nu_y : float
-        Longitudinal and lateral creepage [-].
-    phi : float
-        Spin creepage [1/m].
-    friction : float
-        Friction coefficient [-], > 0.
-    """
-
-    a: float
-    b: float
-    normal_force: float
-    nu_x: float
-    nu_y: float
-    phi: float
-    friction: float
-
-    @property
-    def arguments(self) -> tuple[float, float, float, float, float, float, float]:
-        """Arguments of `creep_force` and `traction_field` after the theory."""
-        return self.a, self.b, self.normal_force, self.nu_x, self.nu_y, self.phi, self.friction
 
 
 def patch_figure(

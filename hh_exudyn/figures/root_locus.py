@@ -21,6 +21,8 @@ def root_locus_figure(
 ) -> Figure:
     """Frequency over growth with the speed as colour, and damping ratios over speed.
 
+    A motion with growth above zero and a damping ratio below zero is unstable.
+
     Parameters
     ----------
     title : str

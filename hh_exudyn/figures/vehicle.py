@@ -34,6 +34,8 @@ _SIDE, _TOP = (0, 2), (0, 1)  # axes of the two views
 def vehicle_sheet(title: str, vehicle: Vehicle) -> Figure:
     """Side view above, top view below, both to the same scale.
 
+    Bodies are drawn as the boxes of their outline, wheelsets and couplings as they stand on the drawing.
+
     Parameters
     ----------
     title : str

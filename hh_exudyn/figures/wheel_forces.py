@@ -104,10 +104,8 @@ def force_spectra(
 
     Parameters
     ----------
-    title : str
-        Above all panels.
-    label : str
-        Of the force, without unit: "Q".
+    title, label : str
+        As for `force_histograms`.
     spectra : mapping of (m,) and (m, wheelsets, 2) arrays
         Frequency [Hz] and density [N^2/Hz], by the name of the run.
     marks : mapping of float or None

@@ -32,7 +32,9 @@ STATUS_FILE = "status.json"
 
 @dataclass(frozen=True)
 class Run:
-    """A run on disk. Nothing is read before it is asked for.
+    """A run on disk.
+
+    Nothing is read before it is asked for.
 
     Attributes
     ----------

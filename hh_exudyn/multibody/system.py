@@ -86,7 +86,9 @@ def evaluate(
 def evaluate_bundle(
     bundle: Bundle, sliders: FloatArray, q: FloatArray, v: FloatArray, time: float, settle: bool
 ) -> int:
-    """`evaluate` for a bundle of model and work space: called from Python ten thousand times a second.
+    """`evaluate` for a bundle of model and work space.
+
+    For callers in Python: a bundle enters a kernel as one pointer (`kernel.Bundle`).
 
     Parameters
     ----------

@@ -50,6 +50,8 @@ SIGHT = 150.0  # track drawn beyond both ends of the vehicle's path [m]
 class Scene:
     """The surroundings of a log: vehicle, shapes, track and strength.
 
+    They follow from the case; nothing of the log is needed.
+
     Attributes
     ----------
     vehicle

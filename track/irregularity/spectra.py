@@ -69,7 +69,9 @@ _Numbers = Mapping[str, float]  # of a spectrum, by the names of the data file
 
 @dataclass(frozen=True)
 class Form:
-    """A formula that spectra share: one record, from which its signals and doubts follow.
+    """A formula that spectra share.
+
+    One record, from which its signals and doubts follow.
 
     Attributes
     ----------

@@ -22,6 +22,7 @@ import numpy as np
 from scipy.linalg import expm
 
 from hh_exudyn.sourced import Parameter, ParameterSet, load_parameters
+from track.support.numbers import check_numbers, unit_of
 
 Direction = Literal["lateral", "vertical"]
 Loading = Literal["alike", "opposite"]
@@ -58,11 +59,7 @@ class SleeperTrack:
     rail_spacing_half: float
 
     def __post_init__(self) -> None:
-        for item in fields(self):
-            value = getattr(self, item.name)
-            if not 0.0 < value < math.inf:
-                name = f"{item.name} of SleeperTrack"
-                raise ValueError(f"{name} is {value} {UNITS[item.name]}, it must be positive and finite")
+        check_numbers(self)
 
     @property
     def bed_stiffness_vertical(self) -> float:
@@ -139,24 +136,7 @@ def series(first: complex, second: complex) -> complex:
     return first * second / (first + second)
 
 
-def _unit(name: str) -> str:
-    """SI unit of a field, from its name."""
-    for part, unit in (
-        ("stiffness", "N/m"),
-        ("damping", "N s/m"),
-        ("mass_per_length", "kg/m"),
-        ("mass", "kg"),
-        ("modulus", "Pa"),
-        ("inertia", "m4"),
-        ("area", "m2"),
-        ("coefficient", "-"),
-    ):
-        if part in name:
-            return unit
-    return "m"
-
-
-UNITS = {item.name: _unit(item.name) for item in fields(SleeperTrack)}
+UNITS = {item.name: unit_of(item.name) for item in fields(SleeperTrack)}
 
 
 def sleeper_track_names() -> tuple[str, ...]:

@@ -27,7 +27,7 @@ a longitudinal part, by which the train pays for the work that passing sleepers 
 """
 
 import math
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -35,6 +35,7 @@ from numpy.typing import NDArray
 
 from hh_exudyn.kernel import inlined_kernel, kernel
 from track.course.rail_frame import RailShift
+from track.support.numbers import check_numbers
 
 DOFS = ("y_left", "z_left", "y_right", "z_right", "y_sleeper", "z_sleeper", "roll_sleeper")
 _MAY_VANISH = ("passing_lateral", "passing_vertical")  # and stay below 1, or a pad would get no stiffness
@@ -168,15 +169,7 @@ class TrackFlexibility:
     passing_vertical: float
 
     def __post_init__(self) -> None:
-        for item in fields(self):
-            value = getattr(self, item.name)
-            if item.name in _MAY_VANISH:
-                if not 0.0 <= value < 1.0:
-                    name = f"{item.name} of TrackFlexibility"
-                    raise ValueError(f"{name} is {value}, it must be from 0 to below 1")
-            elif not 0.0 < value < math.inf:
-                name = f"{item.name} of TrackFlexibility"
-                raise ValueError(f"{name} is {value} {_unit(item.name)}, it must be positive and finite")
+        check_numbers(self, shares=_MAY_VANISH)
 
     def evenly_supported(self) -> "TrackFlexibility":
         """The same track without the passing of sleepers."""
@@ -234,11 +227,3 @@ class TrackFlexibility:
         """Deflection of both rails [m] under a vertical load per wheel [N] on both; s as in `matrices`."""
         stiffness, _ = self.matrices(s)
         return -float(np.linalg.solve(stiffness, [0.0, -load, 0.0, -load, 0.0, 0.0, 0.0])[1])
-
-
-def _unit(name: str) -> str:
-    """SI unit of a field, from its name."""
-    for part, unit in (("stiffness", "N/m"), ("damping", "N s/m"), ("inertia", "kg m2"), ("mass", "kg")):
-        if part in name:
-            return unit
-    return "m"

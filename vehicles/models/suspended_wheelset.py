@@ -98,8 +98,9 @@ def critical_speed_closed_form(
 
         V^2 [(k_y - (m + I e^2) w^2)(k_psi - I w^2) + c1 p] - c1 k c2 w^2 - h^2 V^4 w^2 = 0.
 
-    Own derivation; for e = 0 the classical one (Wickens 2003, chapter 5, from memory), linear in V^2. Its
-    eleven arguments are the symbols of the equations.
+    Own derivation; for e = 0 the classical one (Wickens 2003, chapter 5, from memory), linear in V^2.
+
+    Eleven arguments: each is a symbol of the equations.
 
     Parameters
     ----------

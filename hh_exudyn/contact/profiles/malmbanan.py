@@ -136,17 +136,9 @@ def _wheel_line(
 
 
 def line_rail_coordinates(name: str) -> tuple[FloatArray, FloatArray]:
-    """An upright rail head of the line, ground on its gauge side, crown at the origin.
+    """An upright rail head of the line, one of `LINE_RAILS`, ground on its gauge side, crown at the origin.
 
-    Parameters
-    ----------
-    name : str
-        One of `LINE_RAILS`.
-
-    Returns
-    -------
-    y, z : FloatArray
-        Side coordinates [m], y increasing; spacing about 0.1 mm along the head.
+    Coordinates as those of `line_wheel_coordinates`, the spacing along the head.
     """
     y, z = rail_head_coordinates("60E1")
     depth = np.zeros(len(y))

@@ -46,10 +46,7 @@ def flange_height(wheel: Profile) -> float:
 def flange_thickness(wheel: Profile) -> float:
     """Sd: thickness of the flange 10 mm below the tread at the running circle [m] (EN 13715).
 
-    Raises
-    ------
-    ValueError
-        If the profile is a rail's.
+    Errors as for `flange_height`.
     """
     face = _flange_face(wheel, float(np.interp(0.0, *_wheel(wheel))) - FLANGE_THICKNESS_DEPTH)
     return FLANGE_BACK_TO_RUNNING_CIRCLE - face
@@ -60,10 +57,7 @@ def flange_steepness(wheel: Profile) -> float:
 
     The smaller, the steeper; EN 15313 allows 6.5 mm and more.
 
-    Raises
-    ------
-    ValueError
-        If the profile is a rail's.
+    Errors as for `flange_height`.
     """
     y, z = _wheel(wheel)
     upper = _flange_face(wheel, float(np.interp(0.0, y, z)) - FLANGE_THICKNESS_DEPTH)
@@ -73,10 +67,7 @@ def flange_steepness(wheel: Profile) -> float:
 def flange_angle(wheel: Profile) -> float:
     """Largest angle of the flange face against the axle, over 1 mm of arc length [rad].
 
-    Raises
-    ------
-    ValueError
-        If the profile is a rail's.
+    Errors as for `flange_height`.
     """
     y, z = _wheel(wheel)
     face = (y >= 0.0) & (np.arange(len(y)) <= np.argmin(np.where(y > 0.0, z, np.inf)))
@@ -95,10 +86,7 @@ def tread_hollow(wheel: Profile) -> float:
     point outside of it, the outer 10 mm of the profile (chamfer) left out. After Sawley and Wu 2005 (Wear
     258), who measure it from the end of the false flange.
 
-    Raises
-    ------
-    ValueError
-        If the profile is a rail's.
+    Errors as for `flange_height`.
     """
     y, z = _wheel(wheel)
     tread = z[(y >= y[0] + _CHAMFER) & (y <= _TREAD_END)]

@@ -26,6 +26,38 @@ _MOST_CELLS = 2000  # each way: more than any stress field needs, and still a se
 
 
 @dataclass(frozen=True)
+class PatchLoad:
+    """Size, load, creepages and friction of a patch.
+
+    Attributes
+    ----------
+    a, b : float
+        Semi-axes in rolling direction and lateral [m], > 0.
+    normal_force : float
+        [N], > 0.
+    nu_x, nu_y : float
+        Longitudinal and lateral creepage [-].
+    phi : float
+        Spin creepage [1/m].
+    friction : float
+        Friction coefficient [-], > 0.
+    """
+
+    a: float
+    b: float
+    normal_force: float
+    nu_x: float
+    nu_y: float
+    phi: float
+    friction: float
+
+    @property
+    def arguments(self) -> tuple[float, float, float, float, float, float, float]:
+        """Arguments of `creep_force` and `traction_field` after the theory."""
+        return self.a, self.b, self.normal_force, self.nu_x, self.nu_y, self.phi, self.friction
+
+
+@dataclass(frozen=True)
 class CreepForce:
     """Creep force on the wheel.
 
@@ -44,7 +76,9 @@ class CreepForce:
 
 @dataclass(frozen=True)
 class TractionField:
-    """Stresses and slip over the patch, arrays (ny, nx); the grid is that of the module's docstring.
+    """Stresses and slip over the patch.
+
+    Arrays (ny, nx); the grid is that of the module's docstring.
 
     Attributes
     ----------
@@ -179,7 +213,8 @@ def traction_field(
 ) -> TractionField:
     """Pressure, traction on the wheel and slip over the patch.
 
-    Arguments and errors as `creep_force`, ten too; the grid has cells[0] cells along x, cells[1] strips.
+    Ten arguments: those of `creep_force`, and so are the errors; the grid has cells[0] cells along x,
+    cells[1] strips.
 
     Returns
     -------

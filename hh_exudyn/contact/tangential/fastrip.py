@@ -50,6 +50,7 @@ from hh_exudyn.contact.tangential.strips import (
     PRIME,
     SHAPE,
     STATE_SIZE,
+    STRIP_COLUMNS,
     SUM_M,
     SUM_X,
     SUM_Y,
@@ -60,8 +61,9 @@ from hh_exudyn.contact.tangential.strips import (
     scale_slip,
 )
 from hh_exudyn.contact.types import Fields, Memory, RollingPatch
-from hh_exudyn.kernel import kernel, memory, shaped
+from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
 
+_NO_STRIPS = np.zeros((0, STRIP_COLUMNS))  # of an ellipse: it is cut into even strips
 _TINY = 1e-300  # against 0/0; far below every square that occurs [-]
 _XI, _ELLIPSE, _WORK, _POWER = 0, 1, 2, 3  # rows of a table over the cells of a strip
 _TABLE_ROWS, _CELLS = 4, 64
@@ -130,6 +132,37 @@ def _cell_weight(cells_x: int) -> float:
     return 1.0 / (2.0 * total + cells_x % 2)  # the middle cell of an odd number
 
 
+@inlined_kernel
+def _load(
+    patch: RollingPatch, strips: FloatArray, elliptic: bool, span: tuple[int, int, int], state: Memory
+) -> int:
+    """Put the rows (first, how many, of all) into a block: of the strips, or of an ellipse in even ones."""
+    first, number, count = span
+    if elliptic:
+        return load_ellipse(patch, first, number, count, state)
+    return load_strips(strips, first, number, state)
+
+
+@kernel
+def _force(
+    patch: RollingPatch, strips: FloatArray, elliptic: bool, count: int, cells_x: int
+) -> tuple[float, float, float]:
+    """Creep forces and spin moment of `count` strips; zero where no strip carries load."""
+    rolling = rolling_strips(patch)
+    state = memory(STATE_SIZE)
+    weight = _cell_weight(cells_x)
+    force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
+    for first in range(0, count, BLOCK):
+        number = min(count - first, BLOCK)
+        groups = _load(patch, strips, elliptic, (first, number, count), state)
+        x, y, m, load = _block_force(groups, rolling, cells_x, weight, state)
+        force_x, force_y, moment_z, total = force_x + x, force_y + y, moment_z + m, total + load
+    if total <= 0.0:
+        return 0.0, 0.0, 0.0
+    scale = patch.friction * patch.normal_force / total
+    return force_x * scale, force_y * scale, moment_z * scale
+
+
 @kernel
 def force_on_strips(
     strips: FloatArray, count: int, patch: RollingPatch, cells_x: int
@@ -152,35 +185,13 @@ def force_on_strips(
     tuple of float
         F_x [N], F_y [N], M_z about the origin [N m], on the wheel.
     """
-    rolling = rolling_strips(patch)
-    state = memory(STATE_SIZE)
-    weight = _cell_weight(cells_x)
-    force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
-    for first in range(0, count, BLOCK):
-        number = min(count - first, BLOCK)
-        groups = load_strips(strips, first, number, state)
-        x, y, m, load = _block_force(groups, rolling, cells_x, weight, state)
-        force_x, force_y, moment_z, total = force_x + x, force_y + y, moment_z + m, total + load
-    if total <= 0.0:
-        return 0.0, 0.0, 0.0
-    scale = patch.friction * patch.normal_force / total
-    return force_x * scale, force_y * scale, moment_z * scale
+    return _force(patch, strips, False, count, cells_x)
 
 
 @kernel
 def force(patch: RollingPatch, cells_x: int, cells_y: int) -> tuple[float, float, float]:
     """Creep forces and spin moment on the wheel."""
-    rolling = rolling_strips(patch)
-    state = memory(STATE_SIZE)
-    weight = _cell_weight(cells_x)
-    force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
-    for first in range(0, cells_y, BLOCK):
-        number = min(cells_y - first, BLOCK)
-        groups = load_ellipse(patch, first, number, cells_y, state)
-        x, y, m, load = _block_force(groups, rolling, cells_x, weight, state)
-        force_x, force_y, moment_z, total = force_x + x, force_y + y, moment_z + m, total + load
-    scale = patch.friction * patch.normal_force / total
-    return force_x * scale, force_y * scale, moment_z * scale
+    return _force(patch, _NO_STRIPS, True, cells_y, cells_x)
 
 
 @kernel
@@ -265,6 +276,24 @@ def _fill_rows(
 
 
 @kernel
+def _fields(patch: RollingPatch, strips: FloatArray, elliptic: bool, count: int, fields: Fields) -> None:
+    """Fill the first `count` rows, and scale the slip of them all (see `field`)."""
+    cells_x = fields.pressure.shape[1]
+    rolling = rolling_strips(patch)
+    state = memory(STATE_SIZE)
+    work, power = 0.0, 0.0
+    for first in range(0, count, BLOCK):
+        number = min(count - first, BLOCK)
+        groups = _load(patch, strips, elliptic, (first, number, count), state)
+        prepare(groups, rolling, cells_x, state)
+        _directions(first, number, cells_x, groups, state, fields)
+        lost, put_in = _fill_rows(patch, rolling, first, number, state, fields)
+        work, power = work + lost, power + put_in
+    if work < 0.0 and power < 0.0:
+        scale_slip(power / work, fields.slip_x[:count], fields.slip_y[:count])
+
+
+@kernel
 def field_on_strips(strips: FloatArray, count: int, patch: RollingPatch, fields: Fields) -> None:
     """Pressure, tractions and slip in the cells of a patch of any shape (kernel, allocates nothing).
 
@@ -272,19 +301,7 @@ def field_on_strips(strips: FloatArray, count: int, patch: RollingPatch, fields:
     (j, i) has its centre at x = l_j (-1 + (2 i + 1)/nx) and the area 2 l_j width_j/nx. Empty strips get no
     pressure.
     """
-    cells_x = fields.pressure.shape[1]
-    rolling = rolling_strips(patch)
-    state = memory(STATE_SIZE)
-    work, power = 0.0, 0.0
-    for first in range(0, count, BLOCK):
-        number = min(count - first, BLOCK)
-        groups = load_strips(strips, first, number, state)
-        prepare(groups, rolling, cells_x, state)
-        _directions(first, number, cells_x, groups, state, fields)
-        lost, put_in = _fill_rows(patch, rolling, first, number, state, fields)
-        work, power = work + lost, power + put_in
-    if work < 0.0 and power < 0.0:
-        scale_slip(power / work, fields.slip_x[:count], fields.slip_y[:count])
+    _fields(patch, strips, False, count, fields)
 
 
 @kernel
@@ -298,16 +315,4 @@ def field(patch: RollingPatch, fields: Fields) -> None:
     of |s| in the five exact fields, in %, with and without the scale, and that of FASTSIM: one creepage
     9.2, 9.2, 48; tread 25, 25, 65; spin 21, 26, 48; lateral creepage and spin 21, 22, 28; flange 14, 14, 23.
     """
-    cells_y, cells_x = fields.pressure.shape
-    rolling = rolling_strips(patch)
-    state = memory(STATE_SIZE)
-    work, power = 0.0, 0.0
-    for first in range(0, cells_y, BLOCK):
-        number = min(cells_y - first, BLOCK)
-        groups = load_ellipse(patch, first, number, cells_y, state)
-        prepare(groups, rolling, cells_x, state)
-        _directions(first, number, cells_x, groups, state, fields)
-        lost, put_in = _fill_rows(patch, rolling, first, number, state, fields)
-        work, power = work + lost, power + put_in
-    if work < 0.0 and power < 0.0:
-        scale_slip(power / work, fields.slip_x, fields.slip_y)
+    _fields(patch, _NO_STRIPS, True, fields.pressure.shape[0], fields)

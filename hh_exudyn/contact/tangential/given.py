@@ -37,6 +37,8 @@ def given_contact_model(
 ) -> WheelRailModel:
     """The contact of a reference model.
 
+    Cylinders that roll on crowned rails, with creep forces and conicity by the coefficients.
+
     Parameters
     ----------
     creep : GivenCreep

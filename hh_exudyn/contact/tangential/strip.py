@@ -44,7 +44,7 @@ def stick_zone(
     Parameters
     ----------
     xi, eta, psi : float
-        Scaled longitudinal (of this strip), lateral and spin creepage [-].
+        Of `scaled_creepages`, xi of this strip [-].
     poisson_ratio : float
         [-].
     length : float

@@ -1,7 +1,7 @@
 """Couplings of a three-piece bogie: spring nest, wedge, centre plate, side bearer.
 
-A law is a kernel of the numbers of its family, the motion of body B relative to A, and the condition of the
-coupling; it returns force and moment on B in the axes of A, new sliders, and the powers (`family`).
+A law is a kernel of the numbers `p` of its family, the `motion` of body B relative to A, and the `condition`
+of the coupling; it returns force and moment on B in the axes of A, new sliders, and the powers (`family`).
 """
 
 import math
@@ -45,9 +45,7 @@ class NestNumbers(NamedTuple):
 def nest(p: NestNumbers, motion: Motion, condition: Condition) -> Reaction:
     """Two-stage springs with shear, rotational stiffness and lateral stops.
 
-    Parameters
-    ----------
-    p, motion, condition : see the head of this file
+    Arguments: see the head of this file.
     """
     d, v, angle, turn = motion.displacement, motion.rate, angle_of(motion), turn_of(motion)
     power = condition.damper_power
@@ -102,9 +100,7 @@ def wedge(p: WedgeNumbers, motion: Motion, condition: Condition) -> Reaction:
     Its travel follows slope and toe of the faces, its force the slope with the friction of the face; half of
     spring and friction belongs to each line (sliders: compression and lateral of the first, of the second).
 
-    Parameters
-    ----------
-    p, motion, condition : see the head of this file
+    Arguments: see the head of this file.
     """
     d, v, angle, turn = motion.displacement, motion.rate, angle_of(motion), turn_of(motion)
     (down_0, across_0, down_1, across_1), settle = condition.slider, condition.settle
@@ -182,9 +178,7 @@ def plate(p: PlateNumbers, motion: Motion, condition: Condition) -> Reaction:
     The bounds of shear (mu N) and yaw (2/3 mu N radius) are independent: a plate that slides in yaw
     resists shear as if it did not slide, of little effect within the rim's clearance.
 
-    Parameters
-    ----------
-    p, motion, condition : see the head of this file
+    Arguments: see the head of this file.
     """
     d, v, angle, turn = motion.displacement, motion.rate, angle_of(motion), turn_of(motion)
     slider, settle, power = condition.slider, condition.settle, condition.damper_power
@@ -257,9 +251,7 @@ class SideBearerNumbers(NamedTuple):
 def side_bearer(p: SideBearerNumbers, motion: Motion, condition: Condition) -> Reaction:
     """Constant-contact side bearer with its solid stop and the friction of its face.
 
-    Parameters
-    ----------
-    p, motion, condition : see the head of this file
+    Arguments: see the head of this file.
     """
     d, v, power = motion.displacement, motion.rate, condition.damper_power
     compression = p.preload / p.stiffness - d[2]

@@ -34,6 +34,8 @@ class MotionState(NamedTuple):
 class LateralMotion:
     """Lateral motion of the wheelsets after a disturbance.
 
+    Every step of the integration is one sample.
+
     Attributes
     ----------
     time : (n,) array
