@@ -16,7 +16,7 @@ import numpy as np
 
 from hh_exudyn.contact.profile import RAIL_PROFILES, Profile, rail_profile, read_rail_profile
 
-HANDS = ("left", "right", "straight")
+RAIL_HANDS = ("left", "right", "straight")
 NEW = "new"  # the wear state of nominal profiles
 
 
@@ -82,10 +82,10 @@ class RailPair:
     def rails(self, hand: str, inclination: float = 1.0 / 30.0) -> Rails:
         """The rails by side: the high rail of a left-hand curve is the right one.
 
-        Raises ValueError for a `hand` that is none of `HANDS`.
+        Raises ValueError for a `hand` that is none of `RAIL_HANDS`.
         """
-        if hand not in HANDS:
-            raise ValueError(f"hand is {hand!r}, allowed are {', '.join(HANDS)}")
+        if hand not in RAIL_HANDS:
+            raise ValueError(f"hand is {hand!r}, allowed are {', '.join(RAIL_HANDS)}")
         if hand == "left":
             return Rails(left=self.low, right=self.high, inclination=inclination)
         return Rails(left=self.high, right=self.low, inclination=inclination)

@@ -6,14 +6,14 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from damage.log_input.contact_states import ContactSource, contact_chunks
-from damage.log_input.states import PATCH_COLUMNS
+from damage.log_input.states import LOAD_COLUMNS
 from damage.material import ER7, WheelMaterial
 from damage.rcf.local import distributed_index, local_indices
 from hh_exudyn.arrays import FloatArray
 
 _COLUMNS = (
     *("time", "vehicle", "wheelset", "side", "y_wheel", "contact_angle", "force_x", "force_y"),
-    *PATCH_COLUMNS,
+    *LOAD_COLUMNS,
 )
 _CURVES = (
     ("global", "#7a7a7a", "--"),

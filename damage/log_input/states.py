@@ -44,10 +44,10 @@ class ContactStates(NamedTuple):
     moment_z: FloatArray
 
 
-PATCH_COLUMNS = ("a", "b", "normal_force", "nu_x", "nu_y", "phi", "friction")
+LOAD_COLUMNS = ("a", "b", "normal_force", "nu_x", "nu_y", "phi", "friction")
 """Columns that stress and slip of a patch follow from."""
 
-WEAR_COLUMNS = (*PATCH_COLUMNS, "speed", "rolling_radius")
+WEAR_COLUMNS = (*LOAD_COLUMNS, "speed", "rolling_radius")
 """Columns that its wear follows from."""
 
 _ABOVE_ZERO = ("speed", "rolling_radius")

@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike
 
 from damage.bounds import check_above_zero
 from damage.cells import cell_middles
-from damage.log_input.states import PATCH_COLUMNS, ContactStates, Elastic, contact_states, patch_of
+from damage.log_input.states import LOAD_COLUMNS, ContactStates, Elastic, contact_states, patch_of
 from damage.material import WheelMaterial
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel
@@ -193,7 +193,7 @@ def local_indices(
     Parameters
     ----------
     states
-        The columns `damage.log_input.states.PATCH_COLUMNS`, numbers or (n,) arrays, as a mapping or a contact
+        The columns `damage.log_input.states.LOAD_COLUMNS`, numbers or (n,) arrays, as a mapping or a contact
         log's table; other columns are passed over.
     material
         The wheel steel: k and the elastic constants.
@@ -211,7 +211,7 @@ def local_indices(
         raise ValueError(f"theory = {theory!r}; theories with a stress field: {', '.join(FIELD_THEORIES)}")
     if min(cells) < 1:
         raise ValueError(f"cells = {cells} must be at least 1 along and across")
-    columns = contact_states(states, PATCH_COLUMNS)
+    columns = contact_states(states, LOAD_COLUMNS)
     nx, ny = int(cells[0]), int(cells[1])
     stress_index, fatigue_index = np.empty((2, columns.a.size, ny))
     elastic = Elastic(material.elastic.shear_modulus, material.elastic.poisson_ratio)

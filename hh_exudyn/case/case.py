@@ -30,7 +30,7 @@ from hh_exudyn.case.contact import ContactCase, IntegrationCase
 from hh_exudyn.case.errors import CaseError, explain
 from hh_exudyn.case.fields import CaseTable, from_folder, is_path, number
 from hh_exudyn.case.friction import FrictionCase
-from hh_exudyn.case.rails import read_profile
+from hh_exudyn.case.rails import profile_in_file
 from hh_exudyn.case.track import TrackCase
 from hh_exudyn.case.traction import SteeringCase, TractionCase
 from hh_exudyn.case.train import BrakeCase, TrainCase
@@ -334,7 +334,7 @@ def _start_in(folder: Path, data: dict[str, Any]) -> None:
 
 
 def _wheel(name: str) -> Profile:
-    return read_profile(read_wheel_profile, name) if is_path(name) else wheel_profile(name)
+    return profile_in_file(read_wheel_profile, name) if is_path(name) else wheel_profile(name)
 
 
 def _merged(old: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:

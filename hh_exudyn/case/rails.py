@@ -12,7 +12,7 @@ from hh_exudyn.contact.profile import Profile, read_rail_profile
 from track.rails import Rails
 
 
-def read_profile(reader: Callable[[Path], Profile], path: str) -> Profile:
+def profile_in_file(reader: Callable[[Path], Profile], path: str) -> Profile:
     """Read a profile; a file that may not be read is bad input too."""
     try:
         return reader(Path(path))
@@ -23,7 +23,7 @@ def read_profile(reader: Callable[[Path], Profile], path: str) -> Profile:
 def _check_rail(name: str) -> str:
     """A rail is a known name, or a file that can be read."""
     if is_path(name):
-        read_profile(read_rail_profile, name)
+        profile_in_file(read_rail_profile, name)
     else:
         Rails(left=name, right=name).left_profile()
     return name

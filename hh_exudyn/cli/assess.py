@@ -40,10 +40,10 @@ NewTable = Annotated[
 
 def register(app: typer.Typer) -> None:
     """Add the command of this file to the program."""
-    app.command()(assess)
+    app.command("assess")(assess_ride)
 
 
-def assess(
+def assess_ride(
     folder: inputs.RunFolder,
     figure: inputs.NewFigure = None,
     table: NewTable = None,

@@ -150,9 +150,7 @@ def conicity(
         typer.Option(metavar="1:N", help="Of a standard rail: 30, 1:30 or upright. [default: 1:30]"),
     ] = None,
     radius_mm: Annotated[float, typer.Option(metavar="mm", help="Wheel radius at the running circle.")] = 460,
-    tape_distance_mm: Annotated[
-        float, typer.Option(metavar="mm", help="Distance of the two running circles.")
-    ] = 1500.0,
+    tape_distance_mm: Annotated[float, typer.Option(metavar="mm", help="Of the two running circles.")] = 1500,
     amplitude_mm: Annotated[
         list[float] | None, typer.Option(metavar="mm", help="May be repeated. [default: 1 to 10]")
     ] = None,

@@ -130,7 +130,7 @@ def show_damage(
         pyarrow.csv.write_csv(table, folder / name)
     for name, figure in figures.items():
         figure.savefig(folder / name, dpi=output.DOTS_PER_INCH)
-    output.print_table(_table_of("Damage over the whole run", tables["damage.csv"], DAMAGE_COLUMNS))
+    output.print_table(_table_of("Damage over the whole run", tables["damage.csv"], RUN_COLUMNS))
     if distance_km is not None:
         output.print_table(
             _table_of(f"Damage after {distance_km:,g} km", tables["distance.csv"], DISTANCE_COLUMNS)
@@ -166,7 +166,7 @@ def _figures(run: "Run", report: "DamageReport", distance: float) -> "dict[str, 
 
 
 Columns = dict[str, tuple[str, float, str]]  # column of a table: heading, factor, format
-DAMAGE_COLUMNS: Columns = {
+RUN_COLUMNS: Columns = {
     "p_max_MPa": ("p_max [MPa]", 1.0, ".0f"),
     "wear_number_N": ("wear number [N]", 1.0, ".0f"),
     "fatigue_share": ("FI>0 tread [%]", 100.0, ".1f"),

@@ -113,12 +113,13 @@ def critical_speed(
         if nonlinear:
             _by_motion(vehicle, from_km_h, to_km_h, step_km_h, resolution_km_h, figure)
             return
-        import hh_exudyn.multibody.linear.modes as linear
         from hh_exudyn.multibody.equilibrium import NoEquilibrium
+        from hh_exudyn.multibody.linear.modes import critical_speed as onset
+        from hh_exudyn.multibody.linear.modes import root_locus
 
         try:
             with output.status("critical speed"):
-                found = linear.critical_speed(vehicle, from_km_h / 3.6, to_km_h / 3.6, step_km_h / 3.6)
+                found = onset(vehicle, from_km_h / 3.6, to_km_h / 3.6, step_km_h / 3.6)
         except NoEquilibrium as error:
             output.fail(output.STOPPED, str(error))
         name = vehicle.vehicle.name
@@ -143,7 +144,7 @@ def critical_speed(
 
             speeds = np.linspace(from_km_h, to_km_h, _LOCUS_SPEEDS) / 3.6
             with output.status("root locus"):
-                locus = linear.root_locus(vehicle, [float(speed) for speed in speeds])
+                locus = root_locus(vehicle, [float(speed) for speed in speeds])
             speed = None if found is None else found.speed
             output.write_figure(root_locus_figure(f"Root locus of {name}", speeds, locus, speed), figure)
 
@@ -152,20 +153,20 @@ def _by_motion(
     vehicle: "LinearVehicle", low: float, high: float, step: float, resolution: float, figure: Path | None
 ) -> None:
     """Print every run, the nonlinear critical speed and what it rests on; speeds [km/h]."""
-    import hh_exudyn.multibody.linear.nonlinear_speed as search
     from hh_exudyn.multibody.equilibrium import NoEquilibrium
+    from hh_exudyn.multibody.linear import nonlinear_speed
 
     name = vehicle.vehicle.name
     output.print_line(
         f"{name}: the train slows down from {high:g} km/h, at first with all wheelsets "
-        f"{search.DISPLACEMENT * 1e3:g} mm to the left; it hunts while a wheelset moves by "
-        f"{search.SETTLED * 1e3:g} mm or more to either side; friction elements slide; smooth straight track"
+        f"{nonlinear_speed.DISPLACEMENT * 1e3:g} mm to the left; it hunts while a wheelset moves by "
+        f"{nonlinear_speed.SETTLED * 1e3:g} mm or more to either side; friction elements slide; smooth straight track"
     )
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=output.err, transient=True, disable=not output.err.is_terminal) as bar:
         reports = _RunReports(bar)
         try:
-            found = search.nonlinear_critical_speed(
+            found = nonlinear_speed.nonlinear_critical_speed(
                 vehicle,
                 low / 3.6,
                 high / 3.6,
@@ -199,7 +200,7 @@ def _by_motion(
             [run.speed for run in runs],
             [run.amplitude for run in runs],
             [run.from_cycle for run in runs],
-            search.SETTLED,
+            nonlinear_speed.SETTLED,
         )
         output.write_figure(drawn, figure)
 

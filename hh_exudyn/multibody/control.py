@@ -24,7 +24,7 @@ from vehicles.traction.control import Actuators, Controller, Measurement
 from vehicles.traction.driver import DrivenUnit, Driver
 from vehicles.traction.steering import Steering
 
-Course = Callable[[FloatArray], FloatArray]
+AlongTrack = Callable[[FloatArray], FloatArray]
 
 SAMPLE = 10e-3  # s between two calls of the controllers
 
@@ -172,7 +172,7 @@ def vehicle_control(
     return VehicleControl(case, vehicle, model, work, driver, controllers)
 
 
-def _along(table: AlignmentTable) -> tuple[Course, Course]:
+def _along(table: AlignmentTable) -> tuple[AlongTrack, AlongTrack]:
     """Sine of the slope and curvature over arc length; beyond the ends as at the ends."""
     s, slope, curvature = table.s, table.gradient / np.hypot(1.0, table.gradient), table.curvature
 

@@ -2,8 +2,8 @@
 
 A root search can alternate between the branches of a force that rises and falls steeply (contact that moves
 from the tread to the flange root); motion follows the force and ends in a stable state.
-The bodies move by their masses under all forces of the kernel and under one more, -RATE M (v - v0), against
-every velocity but the common one; the wheels go on rolling. The force of the train (or of the drives) that
+The bodies move by their masses under all forces of the kernel and under one more, -DAMPING_RATE M (v - v0),
+against every velocity but the common one; the wheels go on rolling. The force of the train (or of the drives) that
 maintains the speed follows the sum of the forces along the track.
 """
 
@@ -17,7 +17,7 @@ from hh_exudyn.multibody.linear.inertia import masses
 from hh_exudyn.multibody.model import BODY_COORDINATES, first_track
 from hh_exudyn.multibody.rolling import RollingVehicle
 
-RATE = 12.0  # 1/s, of the added damping: with it bounce at 2 Hz is critically damped to a half
+DAMPING_RATE = 12.0  # 1/s, of the added damping: with it bounce at 2 Hz is critically damped to a half
 _FOLLOWING = 0.1  # s, in which train and drives follow the forces along the track
 # s; at a jump of the force no step meets the tolerance: the shortest one, which is stable, is used there
 _SHORTEST_STEP, _FIRST_STEP, _LONGEST_STEP = 5e-5, 2e-4, 5e-3
@@ -44,7 +44,7 @@ class Settling:
         self._mass = masses(model)
         self._moves = np.ones(size)  # places; those of rates stay at zero
         self._moves[rolling.rates] = 0.0
-        self._damping = RATE * self._moves
+        self._damping = DAMPING_RATE * self._moves
         self._damping[first_track(model) :] = 0.0
         self._drawn = rolling.q.copy()
         self._torque_rate = 0.0

@@ -27,7 +27,7 @@ from vehicles.outline import vehicle_box
 
 PERIOD = 2.0  # s of the playback, of one swing
 SWINGS = 4
-RATE = 30  # pictures a second
+PICTURE_RATE = 30  # pictures a second
 AMPLITUDE = 0.12  # of the largest displacement [m] or rotation [rad]
 SIGHT = 60.0  # track drawn before and behind the vehicle [m]
 
@@ -88,7 +88,7 @@ def record_mode(case: Case, vehicle: Vehicle, shape: ComplexArray, path: Path | 
 
 def _send(stream: rr.RecordingStream, shown: Scene, shape: ComplexArray, reach: tuple[float, float]) -> None:
     """Track, shapes and the swinging bodies."""
-    times = np.arange(round(SWINGS * PERIOD * RATE) + 1) / RATE
+    times = np.arange(round(SWINGS * PERIOD * PICTURE_RATE) + 1) / PICTURE_RATE
     when = clock(times, np.zeros_like(times))[:1]  # it stays where it is on the track
     stream.log("world", rr.ViewCoordinates.FLU, static=True)
     for number, piece in enumerate(pieces(shown.alignment, shown.rail_left, shown.rail_right, *reach)):

@@ -45,7 +45,7 @@ from track.irregularity.spectra import (
     spectrum,
 )
 from track.irregularity.table import IrregularityTable, irregularity_table
-from track.irregularity.wavelength_bands import band_pass
+from track.irregularity.wavelength_bands import wavelength_band
 
 BAND = (3.0, 70.0)  # m, wavelengths of random tracks by default
 POINTS_PER_WAVELENGTH = 6  # a spline's second derivative is then 9 % small, ((2 pi / 6)^2 / 12)
@@ -124,14 +124,16 @@ class Irregularity:
         return column
 
     def filtered(self, wavelengths: tuple[float, float]) -> Self:
-        """The part in a band of wavelengths [m], with zero phase; see `wavelength_bands.band_pass`."""
-        values = band_pass(self.values, self.step, wavelengths)
+        """The part in a band of wavelengths [m], with zero phase; see `wavelength_bands.wavelength_band`."""
+        values = wavelength_band(self.values, self.step, wavelengths)
         return replace(self, values=values, shortest=max(wavelengths[0], self.shortest or 0.0))
 
     def standard_deviation(self, name: str, wavelengths: tuple[float, float] | None = None) -> float:
         """Standard deviation [m] of a signal, as it is or in a band of wavelengths [m]."""
         values = self.signal(name)
-        return float(np.std(values if wavelengths is None else band_pass(values, self.step, wavelengths)))
+        return float(
+            np.std(values if wavelengths is None else wavelength_band(values, self.step, wavelengths))
+        )
 
     def scaled(self, deviations: dict[str, float], wavelengths: tuple[float, float] | None = None) -> Self:
         """Signals multiplied so that they have the wanted standard deviations.

@@ -15,7 +15,7 @@ _LEAST_LENGTH = 2.0  # longest wavelengths that the signal must be long
 _PADDED_LENGTH = 2.0  # longest wavelengths by which both ends are continued
 
 
-def band_pass(values: FloatArray, step: float, wavelengths: tuple[float, float]) -> FloatArray:
+def wavelength_band(values: FloatArray, step: float, wavelengths: tuple[float, float]) -> FloatArray:
     """The part of samples in a band of wavelengths, with zero phase.
 
     Parameters
