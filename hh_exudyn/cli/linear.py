@@ -160,7 +160,8 @@ def _by_motion(
     output.print_line(
         f"{name}: the train slows down from {high:g} km/h, at first with all wheelsets "
         f"{nonlinear_speed.DISPLACEMENT * 1e3:g} mm to the left; it hunts while a wheelset moves by "
-        f"{nonlinear_speed.SETTLED * 1e3:g} mm or more to either side; friction elements slide; smooth straight track"
+        f"{nonlinear_speed.SETTLED * 1e3:g} mm or more to either side; friction elements slide; "
+        "smooth straight track"
     )
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=output.err, transient=True, disable=not output.err.is_terminal) as bar:

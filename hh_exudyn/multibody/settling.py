@@ -3,8 +3,8 @@
 A root search can alternate between the branches of a force that rises and falls steeply (contact that moves
 from the tread to the flange root); motion follows the force and ends in a stable state.
 The bodies move by their masses under all forces of the kernel and under one more, -DAMPING_RATE M (v - v0),
-against every velocity but the common one; the wheels go on rolling. The force of the train (or of the drives) that
-maintains the speed follows the sum of the forces along the track.
+against every velocity but the common one; the wheels go on rolling. The force of the train (or of the
+drives) that maintains the speed follows the sum of the forces along the track.
 """
 
 import math
