@@ -150,10 +150,16 @@ def critical_speed_closed_form(
 
 
 def _smallest_positive_root(polynomial: Polynomial) -> float:
-    """Of its real roots; infinite where none is positive."""
-    roots = polynomial.trim(_VANISHES * np.abs(polynomial.coef).max()).roots()
-    real = roots.real[np.abs(roots.imag) < _REAL * np.abs(roots)]
-    return float(min(real[real > 0.0], default=math.inf))
+    """Of its real roots; infinite where none is positive. Its constant term is not zero.
+
+    It is one over the largest root of the polynomial with the coefficients in reverse: the eigenvalues that
+    make the roots are exact to the largest one, and roots of V^2 may be twenty orders of magnitude apart.
+    """
+    trimmed = polynomial.trim(_VANISHES * np.abs(polynomial.coef).max())
+    inverse = Polynomial(trimmed.coef[::-1]).roots()
+    real = inverse.real[np.abs(inverse.imag) < _REAL * np.abs(inverse)]
+    largest = max(real, default=0.0)
+    return float(1.0 / largest) if largest > 0.0 else math.inf
 
 
 def _require_not_negative(*numbers: tuple[str, float, str]) -> None:
