@@ -1,4 +1,4 @@
-"""Middles of the cells that a contact patch is cut into, over its half width or half length."""
+"""Middles of the cells of a contact patch, over its half width or half length."""
 
 import numpy as np
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class CsvRow:
-    """One row of a table: where it stands, and its fields as text by column name."""
+    """One row of a table: file, line, and its fields as text by column name."""
 
     source: str
     line: int
@@ -21,7 +21,7 @@ class CsvRow:
         return ValueError(f"{self.source}, line {self.line}: {message}")
 
     def number(self, name: str, low: float, high: float) -> float:
-        """The number in column `name`, `low` to `high` in the unit that the name carries.
+        """The number in column `name`, `low` to `high`, in the unit of the column's name.
 
         Raises ValueError with line, name, value and allowed range where it is missing, no number or outside.
         """

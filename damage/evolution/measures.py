@@ -22,7 +22,7 @@ def _standard_rail() -> Profile:
 
 @dataclass(frozen=True)
 class ConicityTrack:
-    """The track that equivalent conicity is computed on (EN 15302), with the same wheel on both sides.
+    """Track and amplitude for the equivalent conicity (EN 15302), with the same wheel on both sides.
 
     Attributes
     ----------

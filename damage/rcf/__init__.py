@@ -10,6 +10,6 @@
 `crack`              cycles to failure, Miner's sum, size of cracks
 `ratchetting`        plastic shear of layers below the surface
 `whole_life_rail`    damage over the wear number, fatigue against wear
-`wear_and_cracks`    cracks that wear leaves: by layers worn off, or by Burstow
+`wear_and_cracks`    competition of wear and cracks: by layers worn off, or by Burstow
 ===================  ================================================================================
 """

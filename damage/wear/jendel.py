@@ -19,7 +19,7 @@ _DATA = {name: parameter.value for name, parameter in parameters("wear", "jendel
 
 
 class MapValues(NamedTuple):
-    """The map as the kernels take it; `JendelMap` has the meanings."""
+    """The map, for the kernels; meanings as in `JendelMap`."""
 
     mild_slow: float
     severe: float

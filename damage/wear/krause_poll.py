@@ -4,8 +4,8 @@ H. Krause, G. Poll, Wear of wheel-rail surfaces, Wear 113 (1986) 103-122: W_V = 
 depends on the temperature of the contact, hence on the power of friction per contact area, E V / A, in
 regimes. Its numbers belong to the steels, the weather and the rig: there are no defaults.
 
-The work goes with the distance rolled (E is per metre rolled). Each strip takes the share of the patch's
-energy that it dissipates.
+The work is proportional to the distance rolled (E is per metre rolled). Each strip has the share of the worn
+volume that it has of the energy.
 """
 
 import math

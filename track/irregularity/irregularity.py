@@ -23,10 +23,10 @@ Appl. Mech. Rev. 44(4), 1991, 191-204):
 over wavelengths within a band, by default 3 to 70 m (bands D1 and D2 of EN 13848-1, those of recording cars
 and of UIC 518). At 60 km/h 3 m is a frequency of 5.6 Hz; forces up to 20 Hz need wavelengths down to 0.8 m.
 The standard deviation over the whole length is that of the spectrum for every seed; the track repeats after
-`length`. The phases come straight from the bits of PCG64, a stream that numpy guarantees, so a seed means the
-same track on every machine (to rounding). Another sampling step samples the same track, another length is
-another track, and "erri_low" and "erri_high" of one seed and length have their waves in the same places,
-since these spectra differ by scale alone.
+`length`. The phases are made from the bits of PCG64, a stream that numpy guarantees, so a seed gives the same
+track on every machine (to rounding). Another sampling step samples the same track, another length gives
+another track, and "erri_low" and "erri_high" of one seed and length have the same phases, since these
+spectra differ by scale alone.
 """
 
 import math
@@ -54,11 +54,11 @@ _LENGTH = (20.0, 1e6)  # m
 _STEP = (0.01, 10.0)  # m
 _FADE = (1.0, 1000.0)  # m
 _LARGEST = 0.5  # m, of an irregularity
-_DEVIATION = (0.0, 0.1)  # m, what one may scale to
+_DEVIATION = (0.0, 0.1)  # m, of a scaled signal
 
 
 def _check(name: str, value: float, limits: tuple[float, float], unit: str = "m") -> None:
-    """Raise ValueError unless `value` is a number within `limits` (NaN is not)."""
+    """Raise ValueError unless `value` lies within `limits`; NaN does not."""
     if not limits[0] <= value <= limits[1]:
         raise ValueError(f"{name} is {value} {unit}, allowed are {limits[0]:g} to {limits[1]:g} {unit}")
 
@@ -76,8 +76,7 @@ class Irregularity:
     values : (n, 4) array
         Level, alignment, gauge and cross-level [m], the order of `SIGNALS`.
     shortest : float
-        Shortest wavelength that it holds [m]; None, the default, stands for `POINTS_PER_WAVELENGTH`
-        samples.
+        Shortest wavelength in the signals [m]; None, the default, for `POINTS_PER_WAVELENGTH` times `step`.
 
     Raises
     ------
@@ -139,7 +138,7 @@ class Irregularity:
         Parameters
         ----------
         deviations : dict
-            Wanted standard deviation [m] by signal; signals that are not named stay. 0 takes one away.
+            Wanted standard deviation [m] by signal; signals that are not named are unchanged. 0 removes one.
         wavelengths : (float, float) or None
             Band [m] in which the standard deviation is taken; the whole signal is scaled.
 
@@ -163,7 +162,7 @@ class Irregularity:
         return replace(self, values=self.values * np.array([1.0, -1.0, 1.0, -1.0]))
 
     def table(self, fade: float = 50.0) -> IrregularityTable:
-        """What the kernels read: splines, faded in and out over `fade` metres (1 to 1000) at either end.
+        """Splines for the kernels, faded in and out over `fade` metres (1 to 1000) at either end.
 
         So a run begins and ends on smooth track, and value, slope and second derivative are continuous.
 

@@ -13,7 +13,7 @@ are Table 1-4 of S. Hossein-Nia's thesis, in `data/quality.toml`; his Tables 1-5
 =======  ==================  ==================================================
 
 QN3 = 1.3 QN2 is unconfirmed: the thesis does not give it for standard deviations. Neither does it say which
-filter its Tables 1-5 and 1-6 rest on; 3 to 25 m is what UIC 518 means by them.
+filter its Tables 1-5 and 1-6 rest on; 3 to 25 m is the band of UIC 518.
 """
 
 from collections.abc import Sequence

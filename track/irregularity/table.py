@@ -1,4 +1,4 @@
-"""Irregularities as the kernels read them: cubic splines of the four signals on one uniform grid.
+"""Irregularities for the kernels: cubic splines of the four signals on one uniform grid.
 
 Values, slopes and second derivatives are continuous along the whole track, also where the irregularities
 begin and end: outside they are zero, and inside they are faded in and out (`irregularity_table`).
@@ -32,7 +32,7 @@ class IrregularityState(NamedTuple):
 class IrregularityTable(NamedTuple):
     """Level, alignment, gauge and cross-level at the nodes of a uniform grid. Outside it they are zero.
 
-    One array holds all: two neighbouring rows give everything, and few arrays cross the Python border fast.
+    One array for all: two neighbouring rows suffice, and few arrays make calls from Python fast.
     """
 
     start: float  # s of the first node [m]
@@ -64,7 +64,7 @@ def irregularity_table(start: float, step: float, values: FloatArray, fade: floa
     first = start - _MARGIN * step
     spline = CubicSpline(step * np.arange(len(padded)), padded, bc_type="natural")
     second = spline(spline.x, 2)
-    second[[0, -1]] = 0.0  # as the end condition says, without the rounding
+    second[[0, -1]] = 0.0  # the end condition, without rounding
     return IrregularityTable(first, step, 1.0 / step, np.ascontiguousarray(np.hstack([padded, second])))
 
 

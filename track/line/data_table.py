@@ -75,7 +75,7 @@ class DataTable:
         return tuple(self._checked(f"{name}[{i}]", x, unit, low, high) for i, x in enumerate(value))
 
     def mapping(self, name: str, unit: str, low: float, high: float) -> dict[str, float]:
-        """A table of numbers under names that are the user's own."""
+        """A table of numbers under names of the user's choice."""
         inner = DataTable(self._get(name, "a table of numbers"), self.file, self.key(name))
         if not inner.entries:
             raise self.error(
@@ -92,7 +92,7 @@ class DataTable:
         return value
 
     def source(self) -> str:
-        """The table's ``source``: "kind: what is known", kind one of `KINDS`."""
+        """The table's ``source``: "kind: text", kind one of `KINDS`."""
         value = self.text("source")
         if kind_of(value) not in KINDS:
             raise self.error(
@@ -105,7 +105,7 @@ class DataTable:
         return DataTable(self._get(name, "a table"), self.file, self.key(name))
 
     def tables(self, name: str) -> list["DataTable"]:
-        """The row of tables ``[[name]]``, one at least."""
+        """The array of tables ``[[name]]``, one at least."""
         value = self._get(name, f"one or more tables [[{name}]]")
         if not isinstance(value, list) or not value:
             raise self.error(f"{self.key(name)} = {value!r}: allowed one or more tables [[{name}]]")

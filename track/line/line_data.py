@@ -22,7 +22,7 @@ class TrackClass:
 class SpeedRule:
     """Largest speeds: of each vehicle [m/s], and of all of them in a curve by cant deficiency [m].
 
-    Where the cant deficiency cuts the speed, it is cut to a whole multiple of `step` [m/s].
+    Where the cant deficiency limits the speed, it is rounded down to a multiple of `step` [m/s].
     """
 
     largest: dict[str, float]

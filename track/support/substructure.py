@@ -12,18 +12,18 @@ s = 0, d, 2d, ..., to its first harmonic,
     C(s) = C - eps / k_pad cos(2 pi s / d),   by   k_pad(s) = k_pad / (1 - eps cos(2 pi s / d))           (1)
 
 with the amplitude eps from the beam on its supports (`track.support.flexibility`). Over point supports the
-beam's compliance has a corner; its second harmonic is a fifth of the first (laterally a tenth). It is left
-out: real pads are as long as a quarter of the spacing, and at 60 km/h it lies at 56 Hz, where the lumped
+beam's compliance has a corner; its second harmonic is a fifth of the first (laterally a tenth). It is
+omitted: real pads are as long as a quarter of the spacing, and at 60 km/h it lies at 56 Hz, where the lumped
 track is not valid.
 
-The wheel runs along on this deflection, so that it is partly motion of the rail's material and partly its
-shape, travelled over. With G(x, s) the deflection at x under a unit load at s, G(x, s) = G(s, x) (Maxwell
+The wheel travels with this deflection: its change is partly motion of the rail's material, partly the slope
+of the deflected rail. With G(x, s) the deflection at x under a unit load at s, G(x, s) = G(s, x) (Maxwell
 and Betti), both parts of the derivative of C(s) = G(s, s) are alike: a force F gives the rail the slope
 
     F C'(s) / 2 = u/2 d/ds ln(C of the pad),    u the pad's deflection,                                 (2)
 
-(`rail_shift`) and its material below the wheel moves by that much less. On this slope the contact force has
-a longitudinal part, by which the train pays for the work that passing sleepers do on the track.
+(`rail_shift`), and the motion of the material is less by that share. On this slope the contact force has a
+longitudinal component, through which the train does the work that passing sleepers do on the track.
 """
 
 import math
@@ -37,11 +37,11 @@ from hh_exudyn.kernel import inlined_kernel, kernel
 from track.course.rail_frame import RailShift
 
 DOFS = ("y_left", "z_left", "y_right", "z_right", "y_sleeper", "z_sleeper", "roll_sleeper")
-_MAY_VANISH = ("passing_lateral", "passing_vertical")  # and stay below 1, or a pad would get no stiffness
+_MAY_VANISH = ("passing_lateral", "passing_vertical")  # from 0 to below 1: equation 1 divides by 1 - eps
 
 
 class TrackParameters(NamedTuple):
-    """Springs and dampers of one wheelset's track, as the kernel takes them. SI units."""
+    """Springs and dampers of one wheelset's track, for the kernels. SI units."""
 
     pad_stiffness_lateral: float
     pad_stiffness_vertical: float
@@ -143,7 +143,7 @@ class TrackFlexibility:
 
     Vertical ballast springs stand at +-`ballast_spacing_half`, the pads at +-`rail_spacing_half`. The sleeper
     has two masses because a wheelset moves more of the track vertically than laterally. `passing_lateral` and
-    `passing_vertical` are eps of equation (1); 0 leaves out the passing of sleepers.
+    `passing_vertical` are eps of equation (1), 0 for constant stiffness along the track.
 
     Raises ValueError for a value that is not positive and finite (passing: not from 0 to below 1).
     """
@@ -179,7 +179,7 @@ class TrackFlexibility:
                 raise ValueError(f"{name} is {value} {_unit(item.name)}, it must be positive and finite")
 
     def evenly_supported(self) -> "TrackFlexibility":
-        """The same track without the passing of sleepers."""
+        """The same track with constant stiffness along it."""
         return replace(self, passing_lateral=0.0, passing_vertical=0.0)
 
     def parameters(self) -> TrackParameters:

@@ -1,4 +1,4 @@
-"""What the builders of vehicles share: both sides, and parts filled from the parameters of their name."""
+"""Common parts of the builders of vehicles: both sides, couplings filled from parameters by name."""
 
 from dataclasses import fields
 from typing import Any, TypeVar

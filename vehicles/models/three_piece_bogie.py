@@ -7,7 +7,7 @@ from vehicles.couplings import AxleBox, CentrePlate, Coupling, SideBearer, Sprin
 from vehicles.description import Body, BrakeShoe, Wheelset
 from vehicles.models.parts import SIDES, filled, in_directions, principal_inertia
 
-SPRING_DEFLECTION = 0.03  # m, between empty and loaded: where the equilibrium is looked for
+SPRING_DEFLECTION = 0.03  # m, between empty and loaded: first guess of the equilibrium
 PAD_DEFLECTION = 1e-3
 
 

@@ -94,7 +94,7 @@ class SpeedControl:
 
 @dataclass(frozen=True)
 class SlipLimits:
-    """When a wheelset counts as slipping, and the course of its torque after that."""
+    """Thresholds of slip detection, and the course of the torque after a detected slip."""
 
     creepage: float = 0.02  # of the speed
     least_slip: float = 0.15  # m/s, below it a slip counts as measuring error
@@ -105,11 +105,11 @@ class SlipLimits:
 
 
 class SlipControl:
-    """Share of the demanded torque that each axle is given, from the speeds of its wheels.
+    """Share of the demanded torque for each axle, from the speeds of its wheels.
 
     Detected from the slip, and from the acceleration of the tread before the slip has grown; in braking with
     the signs reversed (sliding). The torque of a wheelset that slips falls at once, is held, and comes back
-    slowly: the axle hunts for the adhesion there is.
+    slowly: a search for the available adhesion.
     """
 
     def __init__(self, axles: int, limits: SlipLimits) -> None:
@@ -144,11 +144,18 @@ class SlipControl:
 
 
 class OverSlip:
-    """Extra torque that holds each driven wheelset at a wanted slip dv, to clean rails or to wear off cracks.
+    """Extra torque for a wanted slip dv of each driven wheelset, to clean rails or to wear off cracks.
 
     Hossein-Nia (2018), chapter 5: over-slip by "an extra torque to the driven loco wheels". A PI control of
-    the slip velocity; `inertia` is that of a wheelset's spin with its rotor, the only resistance of a
-    wheel under saturated creep force.
+    the slip velocity.
+
+    Parameters
+    ----------
+    creepage : wanted, dv over the speed [-]
+    radius : of the wheels [m]
+    inertia : of a wheelset's spin with its rotor [kg m^2], the only resistance of a wheel under saturated
+        creep force
+    torques : (axles,) at the start [N m]
     """
 
     TIME_CONSTANT = 0.10  # s, of the slip under saturated friction
