@@ -82,7 +82,7 @@ class RatchettingSteel:
         return step
 
     def final_strain(self, stress: ArrayLike) -> FloatArray:
-        """Strain at which hardening stops ratchetting under a constant stress [-]; infinite from beta k0 on."""
+        """Strain at which hardening stops ratchetting at constant stress [-]; infinite from beta k0 on."""
         ratio = np.asarray(stress, dtype=np.float64) / (self.hardening_limit * self.shear_yield)
         with np.errstate(divide="ignore"):
             strain = -np.log1p(-(np.minimum(ratio, 1.0) ** 2)) / self.hardening_rate

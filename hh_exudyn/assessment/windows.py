@@ -22,7 +22,7 @@ def sliding_mean(s: FloatArray, values: FloatArray, centres: FloatArray, window:
     Raises
     ------
     ValueError
-        s that does not increase, a window of no length or beyond the values.
+        s that does not increase, a window of length 0 or beyond the values.
     """
     if not np.all(np.diff(s) > 0.0):
         raise ValueError("arc length does not increase all along: the vehicle stood still or rolled back")

@@ -13,7 +13,7 @@ from track.rails import Rails
 
 
 def read_profile(reader: Callable[[Path], Profile], path: str) -> Profile:
-    """Read a profile; a file that may not be read is bad input too."""
+    """Read a profile; an unreadable file raises ValueError as well."""
     try:
         return reader(Path(path))
     except OSError as error:
@@ -33,5 +33,5 @@ RailName = Annotated[str, AfterValidator(_check_rail)]
 
 
 def sided(rails: Rails, both: str | None, left: str | None, right: str | None) -> Rails:
-    """`rails` with what is given for both sides, and for each."""
+    """`rails` with the profiles given for both sides and for each side in their place."""
     return replace(rails, left=left or both or rails.left, right=right or both or rails.right)

@@ -1,7 +1,7 @@
 """The commands about one contact: ``patch``, ``validate``, ``conicity``. They compute nothing themselves.
 
-Millimetres, kilonewtons and per mille exist here and nowhere deeper. Everything heavy is imported inside the
-commands, so that ``--help`` answers at once.
+Conversion to millimetres, kilonewtons and per mille is here; the packages below use SI. Large packages are
+imported inside the commands, so that ``--help`` is fast.
 """
 
 import math

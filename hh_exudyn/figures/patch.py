@@ -25,7 +25,7 @@ _TRACTION_COLOURS, _SLIP_COLOURS = "viridis", "YlOrRd"
 _X_COLOUR, _Y_COLOUR, _MOMENT_COLOUR = "#2b5c8a", "#c2571a", "#7a7a7a"
 _ARROWS = 9  # arrows along and across the patch
 _LONGEST_ARROW, _LONGEST_MAP, _STRIP_HEIGHT = 0.3, 2.2, 1.7  # inch
-_SHOWN_SLIP = 98.0  # percentile of the slip velocity that the colours end at: it peaks at the trailing edge
+_SHOWN_SLIP = 98.0  # percentile of the slip velocity at the end of the colours: it peaks at the trailing edge
 _LONGEST_BAR = 1.25  # friction * normal force; the linear theory has no limit
 _MARGIN = 1.12
 

@@ -23,7 +23,7 @@ Clock = Sequence[rr.TimeColumn]
 FORCE_SCALE = 0.6e-5  # length of a normal force's arrow [m/N]: 100 kN are 0.6 m
 CREEP_FORCE_SCALE = 3.0e-5  # creep forces are drawn five times longer
 ARROW_OFFSET = 0.48  # of forces, outwards from their contacts, where no wheel hides them [m]
-PATCH_SCALE = 25.0  # patches are drawn larger
+PATCH_SCALE = 25.0  # enlargement of the patches
 PATCH_THICKNESS = 0.006  # [m]
 NORMAL_COLOUR = (60, 190, 255)
 CREEP_COLOUR = (255, 170, 30)
@@ -36,7 +36,7 @@ OTHER_COLOUR = (200, 200, 200)
 
 
 def clock(times: FloatArray, s: FloatArray) -> Clock:
-    """The timelines: `sim_time` in whole nanoseconds and `track_mm`, the vehicle's place [mm]."""
+    """The timelines: `sim_time` in whole nanoseconds and `track_mm`, the vehicle's arc length [mm]."""
     nanoseconds = np.round(times * 1e9).astype(np.int64)
     return (
         rr.TimeColumn("sim_time", duration=nanoseconds.astype("timedelta64[ns]")),
@@ -60,7 +60,7 @@ def send_mesh(stream: rr.RecordingStream, entity: str, mesh: trimesh.Trimesh) ->
 
 
 def send_track_piece(stream: rr.RecordingStream, entity: str, piece: Piece) -> None:
-    """A piece of track about its own origin; one sleeper serves as many as there are."""
+    """A piece of track about its own origin; one mesh of a sleeper for all of them."""
     stream.log(entity, rr.Transform3D(translation=piece.origin), static=True)
     send_mesh(stream, f"{entity}/rails", piece.rails)
     send_mesh(stream, f"{entity}/bed", piece.bed)

@@ -32,7 +32,7 @@ class WheelRows:
     Attributes
     ----------
     name
-        Number of the wheelset and side, such as "1L"; of several vehicles with theirs before it, "2.1L".
+        Number of the wheelset and side, such as "1L", with the unit before it for several units, "2.1L".
     side
         +1 left, -1 right.
     patches

@@ -1,9 +1,9 @@
 """Kalker's linear theory: creep forces of vanishing creepage, where the whole patch sticks.
 
 J.J. Kalker, On the rolling contact of two elastic bodies in the presence of dry friction, thesis, Delft 1967;
-equation 2.22 of Hossein-Nia (KTH, 2018), corrected. It knows no friction limit: the forces grow without bound
-with the creepages (it is the limit of infinite friction), and the theory gives no stress field that friction
-could carry.
+equation 2.22 of Hossein-Nia (KTH, 2018), corrected. It has no friction limit: the forces grow without bound
+with the creepages (it is the limit of infinite friction), and there is no stress field within the friction
+limit.
 """
 
 import math

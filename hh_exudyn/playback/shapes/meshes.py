@@ -1,4 +1,4 @@
-"""Solids that the shapes are made of, painted by face, and their shading with sharp creases.
+"""Solids for the shapes, with colours by face, and their shading with sharp creases.
 
 Boxes, cylinders and turned bodies are trimesh's; lofts, plates and coils are made here. Everything is a
 closed `trimesh.Trimesh` with one colour per face, in metres.
@@ -21,7 +21,7 @@ CREASE_ANGLE = np.radians(38.0)  # faces that meet at more than this keep a shar
 
 
 class Shaded(NamedTuple):
-    """A mesh as a renderer takes it: single precision, with normals and colours at the vertices."""
+    """A mesh for a renderer: single precision, with normals and colours at the vertices."""
 
     positions: NDArray[np.float32]  # (n, 3) [m]
     triangles: NDArray[np.uint32]  # (m, 3)
@@ -79,7 +79,7 @@ def loft(rings: FloatArray, colour: Colour) -> trimesh.Trimesh:
 
 
 def _outwards(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
-    """The mesh with faces that look outwards."""
+    """The mesh with outward normals."""
     if mesh.volume < 0.0:
         mesh.faces = mesh.faces[:, ::-1]
     return mesh
