@@ -8,7 +8,13 @@ from hh_exudyn.kernel import inlined_kernel
 
 @inlined_kernel
 def cell_middle(index: int, count: int) -> float:
-    """Middle of cell `index` of `count` equal cells between -1 and +1 [-]."""
+    """Middle of cell `index` of `count` equal cells between -1 and +1 [-].
+
+    Parameters
+    ----------
+    index, count
+        Number of the cell from 0, and of all cells [-].
+    """
     return -1.0 + (2 * index + 1) / count
 
 

@@ -35,7 +35,15 @@ def kind_of(source: str) -> str:
 
 
 def check_source(source: str, kinds: tuple[str, ...] = KINDS) -> str:
-    """The source itself. Raises ValueError where it does not begin with one of `kinds`."""
+    """The source itself. Raises ValueError where it does not begin with one of `kinds`.
+
+    Parameters
+    ----------
+    source : str
+        "kind: text".
+    kinds : tuple of str
+        Allowed kinds.
+    """
     if kind_of(source) not in kinds:
         raise ValueError(f"source starts with {kind_of(source)!r}; allowed: {', '.join(kinds)}")
     return source
@@ -209,6 +217,13 @@ class ParameterSet:
     def with_parameters(self, parameters: Iterable[Parameter], name: str | None = None) -> "ParameterSet":
         """A copy with some numbers changed, each with a source of its own; see `replace`.
 
+        Parameters
+        ----------
+        parameters : iterable of Parameter
+            The changed numbers.
+        name : str or None
+            Of the copy; None keeps the name.
+
         Raises
         ------
         ValueError
@@ -237,7 +252,13 @@ class ParameterSet:
 
 
 def differences(before: ParameterSet, after: ParameterSet) -> tuple[Difference, ...]:
-    """The numbers of which value or unit differ between two sets, in the order of the files."""
+    """The numbers of which value or unit differ between two sets, in the order of the files.
+
+    Parameters
+    ----------
+    before, after : ParameterSet
+        The two sets.
+    """
     old = {parameter.name: parameter for parameter in before.parameters}
     new = {parameter.name: parameter for parameter in after.parameters}
     found = []

@@ -83,6 +83,11 @@ class RailPair:
         """The rails by side: the high rail of a left-hand curve is the right one.
 
         Raises ValueError for a `hand` that is none of `HANDS`.
+
+        Parameters
+        ----------
+        hand : of the curve, one of `HANDS`
+        inclination : of standard profiles, slope [-]
         """
         if hand not in HANDS:
             raise ValueError(f"hand is {hand!r}, allowed are {', '.join(HANDS)}")
@@ -106,7 +111,14 @@ class RailRule:
     share: float = 1.0
 
     def holds(self, country: str, radius: float, wear: str) -> bool:
-        """Whether the rule is for that place and wear state."""
+        """Whether the rule is for that place and wear state.
+
+        Parameters
+        ----------
+        country : as in the rules of the line
+        radius : of the curve, infinity on straight track [m]
+        wear : wear state
+        """
         inside = self.radius_from <= radius < self.radius_to or radius == self.radius_from == math.inf
         return inside and self.country == country and self.pair.wear == wear
 

@@ -161,7 +161,13 @@ class Wedge:
             )
 
     def normal_force(self, spring_force: float, motion: int) -> float:
-        """Column force N2 [N] in sliding; motion +1 loading, -1 unloading (the equations above)."""
+        """Column force N2 [N] in sliding; motion +1 loading, -1 unloading (the equations above).
+
+        Parameters
+        ----------
+        spring_force : of the control spring Fs [N]
+        motion : +1 loading, -1 unloading
+        """
         return self.spring_share * spring_force / (self.tan_slope - motion * self.friction)
 
 

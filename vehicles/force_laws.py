@@ -44,6 +44,12 @@ def two_stage_spring(
 
     Up to there the outer coils carry alone with `first_stiffness` [N/m], beyond it the nest has
     `second_stiffness` [N/m]. The nest cannot pull.
+
+    Parameters
+    ----------
+    compression : [m]
+    first_stiffness, second_stiffness : of the outer coils, and of the nest with all coils in contact [N/m]
+    second_from : compression at contact of the inner coils [m]
     """
     if compression <= 0.0:
         return 0.0
@@ -54,7 +60,14 @@ def two_stage_spring(
 
 @kernel
 def clearance_stop(displacement: float, clearance: float, stiffness: float) -> float:
-    """Restoring force [N] of a two-sided stop: zero within +-`clearance` [m], linear beyond."""
+    """Restoring force [N] of a two-sided stop: zero within +-`clearance` [m], linear beyond.
+
+    Parameters
+    ----------
+    displacement : [m]
+    clearance : to either side [m]
+    stiffness : [N/m]
+    """
     if displacement > clearance:
         return -stiffness * (displacement - clearance)
     if displacement < -clearance:

@@ -51,6 +51,11 @@ def uniform_cuboid(mass: float, inertia: Vector) -> FloatArray:
 
     Ix = m (ly^2 + lz^2) / 12 and so on, solved for the edges; no edge is shorter than `THINNEST`, also
     where no cuboid has such inertias (a ring).
+
+    Parameters
+    ----------
+    mass : [kg]
+    inertia : about x, y and z through the centre of mass [kg m^2]
     """
     of = np.array(inertia)
     squares = 6.0 * (of.sum() - 2.0 * of) / mass

@@ -76,7 +76,17 @@ class WearHistory:
 
 
 def write_step(directory: Path, number: int, step: WearStep) -> None:
-    """Write a step, complete or not at all; `number` from 0 for the wheel before the first step."""
+    """Write a step, complete or not at all; `number` from 0 for the wheel before the first step.
+
+    Parameters
+    ----------
+    directory
+        Made if it does not exist.
+    number
+        Of the step, from 0.
+    step
+        The wheel after it.
+    """
     directory.mkdir(parents=True, exist_ok=True)
     path = directory / _PATTERN.format(number)
     unfinished = path.with_suffix(".tmp")

@@ -73,6 +73,15 @@ class WheelMeasures:
 def measure(wheel: Profile, radius: float, track: ConicityTrack) -> WheelMeasures:
     """Measure a wheel of some radius at its running circle [m].
 
+    Parameters
+    ----------
+    wheel
+        The wheel profile.
+    radius
+        At the running circle [m].
+    track
+        Rails, gauge and amplitude for the equivalent conicity.
+
     Raises
     ------
     ValueError

@@ -77,6 +77,11 @@ def worn_depth(first: WearStep, step: WearStep) -> FloatArray:
 
     The points of a profile keep their order in a step of wear but move along it where normals turn; that
     tangential displacement does not count.
+
+    Parameters
+    ----------
+    first, step
+        The earlier and the later step of the same wheel.
     """
     y, z = _on_axle(first, step)
     s = arc_length(first.profile.y, first.profile.z)

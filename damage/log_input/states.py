@@ -63,7 +63,17 @@ class Elastic(NamedTuple):
 
 @inlined_kernel
 def patch_of(states: ContactStates, row: int, elastic: Elastic) -> RollingPatch:
-    """The patch of a contact state, by its row (kernel)."""
+    """The patch of a contact state, by its row (kernel).
+
+    Parameters
+    ----------
+    states
+        Contact states, (n,) each.
+    row
+        Number of the state, from 0.
+    elastic
+        Elastic constants.
+    """
     return RollingPatch(
         states.a[row], states.b[row], states.normal_force[row], states.nu_x[row], states.nu_y[row],
         states.phi[row], states.friction[row], elastic.shear_modulus, elastic.poisson_ratio,

@@ -304,6 +304,15 @@ class CrackShape:
     def from_crack(cls, surface_length: float, length: float, depth: float, damage: float) -> "CrackShape":
         """The shape of a measured crack (mouth, length and depth [m]) at its computed damage [-].
 
+        Parameters
+        ----------
+        surface_length
+            Mouth of the crack [m].
+        length, depth
+            Along the crack and normal to the surface [m].
+        damage
+            Miner's sum at the place of the crack [-].
+
         Raises
         ------
         ValueError

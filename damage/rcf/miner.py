@@ -11,7 +11,13 @@ KABO_FACTOR = 1.78
 
 @kernel
 def kabo_damage(fatigue_index: float) -> float:
-    """Damage per revolution at a fatigue index FI [-], failure at 1; 0 up to an index of 0 (kernel)."""
+    """Damage per revolution at a fatigue index FI [-], failure at 1; 0 up to an index of 0 (kernel).
+
+    Parameters
+    ----------
+    fatigue_index
+        FI of the revolution [-].
+    """
     if not fatigue_index > 0.0:
         return 0.0
     square = (fatigue_index / KABO_FACTOR) ** 2

@@ -61,7 +61,15 @@ class CountWork(NamedTuple):
 
 
 def count_work(cells: tuple[int, int], bins_along: int) -> CountWork:
-    """Work space for patches of `cells` (along, across) on a number of bins along the patch."""
+    """Work space for patches of `cells` (along, across) on a number of bins along the patch.
+
+    Parameters
+    ----------
+    cells
+        Cells of a patch along and across.
+    bins_along
+        Bins along the patch.
+    """
     nx, ny = cells
     pairs = (ny + 1) // 2
     return CountWork(

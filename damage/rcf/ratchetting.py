@@ -77,7 +77,15 @@ class RatchettingSteel:
         return strength
 
     def strain_per_cycle(self, stress: ArrayLike, strain: ArrayLike) -> FloatArray:
-        """dgamma/dN [-] under a largest orthogonal shear stress [Pa] at a plastic strain [-] (3.25)."""
+        """dgamma/dN [-] under a largest orthogonal shear stress [Pa] at a plastic strain [-] (3.25).
+
+        Parameters
+        ----------
+        stress
+            Largest orthogonal shear stress [Pa].
+        strain
+            Plastic shear strain reached [-].
+        """
         step: FloatArray = self.rate * np.maximum(np.asarray(stress) / self.strength(strain) - 1.0, 0.0)
         return step
 

@@ -70,7 +70,15 @@ class CrackLayer:
 
     @classmethod
     def new(cls, grid: LateralGrid, failure_depth: float) -> "CrackLayer":
-        """A wheel without cracks and without wear."""
+        """A wheel without cracks and without wear.
+
+        Parameters
+        ----------
+        grid
+            The bins.
+        failure_depth
+            Depth of a crack at failure [m], > 0.
+        """
         return cls(grid, failure_depth, *(np.zeros(grid.count) for _ in range(3)))
 
     def after(self, damage: FloatArray, worn: FloatArray) -> "CrackLayer":

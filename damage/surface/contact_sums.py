@@ -65,7 +65,15 @@ class Work(NamedTuple):
 
 
 def work_space(cells: tuple[int, int], bins_along: int) -> Work:
-    """Work space for patches of `cells` (along, across) on `bins_along` bins along the patch."""
+    """Work space for patches of `cells` (along, across) on `bins_along` bins along the patch.
+
+    Parameters
+    ----------
+    cells
+        Cells of a patch along and across.
+    bins_along
+        Bins along the patch.
+    """
     nx, ny = cells
     return Work(
         Fields(*np.zeros((5, ny, nx))),

@@ -98,6 +98,13 @@ class LateralGrid:
     def along(cls, wheel: Profile, step: float = 0.001) -> "LateralGrid":
         """Bins over the whole arc of a wheel profile, one of their edges at the running circle.
 
+        Parameters
+        ----------
+        wheel
+            The wheel profile.
+        step
+            Width of a bin [m], > 0.
+
         Raises
         ------
         ValueError

@@ -118,7 +118,15 @@ class WheelSurface:
     def zero(
         cls, wheels: tuple[Wheel, ...], grid: LateralGrid, patch_grid: PatchGrid = DEFAULT_PATCH_GRID
     ) -> "WheelSurface":
-        """Surfaces before any contact."""
+        """Surfaces before any contact.
+
+        Parameters
+        ----------
+        wheels
+            The W wheels, sorted.
+        grid, patch_grid
+            Bins across the profile and along the patch.
+        """
         count, bins, along = len(wheels), grid.count, patch_grid.count
         return cls(
             grid=grid,

@@ -79,7 +79,13 @@ class ArchardValues(NamedTuple):
 
 @kernel
 def read_archard(numbers: FloatArray) -> ArchardValues:
-    """The law from its numbers (`WearLaw.numbers`; kernel)."""
+    """The law from its numbers (`WearLaw.numbers`; kernel).
+
+    Parameters
+    ----------
+    numbers
+        (n,) numbers of the law.
+    """
     wear_map = MapValues(
         numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], numbers[6], numbers[7], numbers[8]
     )
@@ -88,7 +94,17 @@ def read_archard(numbers: FloatArray) -> ArchardValues:
 
 @kernel
 def archard_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
-    """Wear depth on the wheel per revolution, by strip and region of the map: a `LawKernel`."""
+    """Wear depth on the wheel per revolution, by strip and region of the map: a `LawKernel`.
+
+    Parameters
+    ----------
+    numbers
+        (n,) numbers of the law, `WearLaw.numbers`.
+    solved
+        The solved patch.
+    depth
+        (ny, REGIMES) result [m].
+    """
     patch, speed = solved.patch, solved.speed
     pressure, slip_x, slip_y = solved.fields.pressure, solved.fields.slip_x, solved.fields.slip_y
     cells_y, cells_x = pressure.shape

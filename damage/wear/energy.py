@@ -48,7 +48,15 @@ def wear_number(
 
 @inlined_kernel
 def cell_energy(fields: Fields, j: int, i: int) -> float:
-    """Energy dissipated in cell (j, i) per area and distance rolled [Pa], by its own slip (kernel)."""
+    """Energy dissipated in cell (j, i) per area and distance rolled [Pa], by its own slip (kernel).
+
+    Parameters
+    ----------
+    fields
+        Arrays (ny, nx) of tractions and slip.
+    j, i
+        Strip and cell, from 0.
+    """
     return -(fields.q_x[j, i] * fields.slip_x[j, i] + fields.q_y[j, i] * fields.slip_y[j, i])
 
 
@@ -63,6 +71,13 @@ def rigid_energy_density(field: TractionField, nu_x: float, nu_y: float, phi: fl
 
     Creepages [-], [-], [1/m]. Its sum over the patch is that of `energy_density`, but in stick it is not zero
     and may be negative: there it is not lost but stored and given back.
+
+    Parameters
+    ----------
+    field
+        Tractions [Pa] and grid [m] of the patch.
+    nu_x, nu_y, phi
+        Creepages [-], [-], [1/m].
     """
     density: NDArray[np.float64] = -(field.q_x * (nu_x - phi * field.y) + field.q_y * (nu_y + phi * field.x))
     return density

@@ -94,6 +94,16 @@ def _values(depths: LawKernel, numbers: tuple[float, ...]) -> LawValues:
 
 
 def require_known(what: str, given: str, known: tuple[str, ...]) -> None:
-    """Raise ValueError if a name is not among the known ones."""
+    """Raise ValueError if a name is not among the known ones.
+
+    Parameters
+    ----------
+    what
+        Kind of name, for the message.
+    given
+        The name.
+    known
+        The known names.
+    """
     if given not in known:
         raise ValueError(f"{what} = {given!r}; known: {', '.join(known)}")

@@ -40,7 +40,13 @@ def rate_numbers(
 
 @kernel
 def read_rate(numbers: FloatArray) -> Rate:
-    """The rate in a law's numbers: the inverse of `rate_numbers`, filled up to `REGIMES` regimes."""
+    """The rate in a law's numbers: the inverse of `rate_numbers`, filled up to `REGIMES` regimes.
+
+    Parameters
+    ----------
+    numbers
+        (3 REGIMES - 1,) numbers from `rate_numbers`.
+    """
     return Rate(
         (numbers[0], numbers[1], numbers[2]),
         (numbers[3], numbers[4], numbers[5], numbers[6]),
@@ -50,7 +56,15 @@ def read_rate(numbers: FloatArray) -> Rate:
 
 @kernel
 def rate_regime(quantity: float, rate: Rate) -> int:
-    """The regime: number of limits at or below the quantity, in the unit of the limits (kernel)."""
+    """The regime: number of limits at or below the quantity, in the unit of the limits (kernel).
+
+    Parameters
+    ----------
+    quantity
+        In the unit of the limits.
+    rate
+        The rate.
+    """
     regime = 0
     for limit in rate.limits:
         if quantity >= limit:
@@ -60,5 +74,15 @@ def rate_regime(quantity: float, rate: Rate) -> int:
 
 @kernel
 def rate_in_regime(regime: int, energy: float, rate: Rate) -> float:
-    """Slope times energy plus offset of a regime, in the units of the law (kernel)."""
+    """Slope times energy plus offset of a regime, in the units of the law (kernel).
+
+    Parameters
+    ----------
+    regime
+        From `rate_regime`.
+    energy
+        In the unit of the law.
+    rate
+        The rate.
+    """
     return rate.slopes[regime] * energy + rate.offsets[regime]

@@ -80,7 +80,13 @@ class WearRatio:
 
     @classmethod
     def learn(cls, depth: ArrayLike, energy: ArrayLike) -> "WearRatio":
-        """From full steps: depth and energy (..., B), summed over all but the positions."""
+        """From full steps: depth and energy (..., B), summed over all but the positions.
+
+        Parameters
+        ----------
+        depth, energy
+            (..., B) depths and dissipated energies of the full steps, >= 0.
+        """
         depths, energies = np.asarray(depth, dtype=np.float64), np.asarray(energy, dtype=np.float64)
         if depths.ndim == 0 or depths.shape != energies.shape:
             raise ValueError(f"depth {depths.shape} and energy {energies.shape} must have one shape (..., B)")
@@ -120,6 +126,11 @@ class WearRatio:
 
     def error(self, energy: ArrayLike, depth: ArrayLike) -> RatioError:
         """Compare with a full step: energy and depth (..., B), any part of the profile set to 0 in both.
+
+        Parameters
+        ----------
+        energy, depth
+            (..., B) of the full step, >= 0.
 
         Raises
         ------

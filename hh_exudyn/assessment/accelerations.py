@@ -63,7 +63,15 @@ class PointAccelerations:
 
 
 def body_places(vehicle: Vehicle, unit: int = 1) -> list[Place]:
-    """Points of the car bodies of a unit over each bogie: the middle of the couplings to that bogie."""
+    """Points of the car bodies of a unit over each bogie: the middle of the couplings to that bogie.
+
+    Parameters
+    ----------
+    vehicle : Vehicle
+        Description of the vehicle.
+    unit : int
+        Number of the unit, from 1.
+    """
     kind = {body.name: body.kind for body in vehicle.bodies}
     middles: dict[int, list[float]] = {}
     for wheelset in (one for one in vehicle.wheelsets if one.unit == unit):
@@ -83,7 +91,15 @@ def body_places(vehicle: Vehicle, unit: int = 1) -> list[Place]:
 
 
 def bogie_places(vehicle: Vehicle, unit: int = 1) -> list[Place]:
-    """Points of the side frames, or bogie frames, of a unit over their wheelsets."""
+    """Points of the side frames, or bogie frames, of a unit over their wheelsets.
+
+    Parameters
+    ----------
+    vehicle : Vehicle
+        Description of the vehicle.
+    unit : int
+        Number of the unit, from 1.
+    """
     kind = {body.name: body.kind for body in vehicle.bodies}
     points: dict[tuple[str, str], list[tuple[float, ...]]] = {}
     for body_a, body_b, point in _coupled(vehicle, unit):
@@ -106,6 +122,13 @@ def _coupled(vehicle: Vehicle, unit: int) -> Iterator[tuple[str, str, tuple[floa
 
 def point_accelerations(run: Run, places: list[Place]) -> PointAccelerations:
     """Accelerations of points of bodies of a run: derivatives of splines through the logged velocities.
+
+    Parameters
+    ----------
+    run : Run
+        The run on disk.
+    places : list of Place
+        Points of its bodies.
 
     Raises
     ------

@@ -53,6 +53,15 @@ def window_centres(start: float, end: float, window: float, step: float) -> Floa
     """Centres of windows `step` metres apart that lie wholly between two places [m]; at least one.
 
     Raises ValueError where not one window fits.
+
+    Parameters
+    ----------
+    start, end : float
+        Ends of the range [m].
+    window : float
+        Length of a window [m].
+    step : float
+        Distance of the centres [m].
     """
     room = end - start - window
     if room < -1e-9:

@@ -13,7 +13,17 @@ class CaseTable(BaseModel):
 
 
 def number(unit: str, low: float, high: float, default: Any = ...) -> Any:
-    """Field of a number from `low` to `high` [unit]; error messages use the same texts."""
+    """Field of a number from `low` to `high` [unit]; error messages use the same texts.
+
+    Parameters
+    ----------
+    unit : str
+        Of the number, "-" without one.
+    low, high : float
+        Allowed range, ends included.
+    default
+        Default value; required without it.
+    """
     extra: dict[str, Any] = {"unit": unit, "allowed": f"{low:g} to {high:g}"}
     return Field(default, ge=low, le=high, json_schema_extra=extra)
 
@@ -24,7 +34,17 @@ def is_path(name: str) -> bool:
 
 
 def from_folder(table: Any, folder: Path, *keys: str) -> None:
-    """Make relative paths under the keys of a raw table start at `folder`."""
+    """Make relative paths under the keys of a raw table start at `folder`.
+
+    Parameters
+    ----------
+    table : dict
+        Raw table, changed.
+    folder : Path
+        Start of relative paths.
+    keys : str
+        Keys with paths.
+    """
     for key in keys:
         name = table.get(key) if isinstance(table, dict) else None
         if isinstance(name, str) and name:

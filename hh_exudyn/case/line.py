@@ -70,6 +70,15 @@ def section_name(section: TrackSection) -> str:
 def case_on(base: Case, section: TrackSection, *, length: float = 200.0, approach: float = 50.0) -> Case:
     """The base case on a section of a line, at the section's speed; see `track_table`.
 
+    Parameters
+    ----------
+    base : Case
+        Vehicle, friction, contact, foundation and irregularities.
+    section : TrackSection
+        Geometry, gauge, rails and speed.
+    length, approach : float
+        As `track_table` [m].
+
     Raises
     ------
     CaseError

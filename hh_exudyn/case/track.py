@@ -164,6 +164,11 @@ class TrackCase(CaseTable):
     def irregular(self, start: float, end: float) -> Irregularity | None:
         """The irregularities from arc length `start` to `end` [m]; None on smooth track.
 
+        Parameters
+        ----------
+        start, end : float
+            Arc lengths [m].
+
         Raises
         ------
         ValueError

@@ -61,7 +61,15 @@ class TractionCase(CaseTable):
         )
 
     def train(self, mass: float, length: float, grade: _Course, curvature: _Course) -> TrailingTrain:
-        """The train behind the first unit, a unit having a mass [kg] and a length [m] over couplers."""
+        """The train behind the first unit, a unit having a mass [kg] and a length [m] over couplers.
+
+        Parameters
+        ----------
+        mass, length : float
+            Of a unit [kg], and over its couplers [m].
+        grade, curvature : callable
+            Sine of the slope [-] and curvature [1/m] at arc lengths [m].
+        """
         return TrailingTrain(
             locomotives=self.units - 1,
             locomotive_mass=mass,

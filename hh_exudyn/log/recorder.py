@@ -21,7 +21,17 @@ TEMPORARY_SUFFIX = ".tmp"
 
 
 def part_path(directory: Path, log: str, number: int) -> Path:
-    """Path of one finished part of a log."""
+    """Path of one finished part of a log.
+
+    Parameters
+    ----------
+    directory
+        Of the run.
+    log
+        ``contact``, ``motion``, ``energy`` or ``control``.
+    number
+        Of the part, from 0.
+    """
     return directory / log / f"part-{number:05d}.parquet"
 
 

@@ -166,6 +166,13 @@ def remove_logs(run: Run) -> None:
 def write_case(directory: Path | str, text: str) -> None:
     """Write the case of a run (TOML). Call it after the `Recorder` has claimed the directory.
 
+    Parameters
+    ----------
+    directory
+        Of the run.
+    text
+        The case, TOML.
+
     Raises
     ------
     FileExistsError
@@ -183,7 +190,15 @@ def write_vehicle(directory: Path | str, text: str) -> None:
 
 
 def write_status(directory: Path | str, status: dict[str, Any]) -> None:
-    """Write the state of a run: ``finished`` (bool), ``reason`` of its end, wall times [s]."""
+    """Write the state of a run: ``finished`` (bool), ``reason`` of its end, wall times [s].
+
+    Parameters
+    ----------
+    directory
+        Of the run.
+    status
+        ``finished``, ``reason``, wall times [s].
+    """
     _write_text(Path(directory) / STATUS_FILE, json.dumps(status, indent=2) + "\n")
 
 

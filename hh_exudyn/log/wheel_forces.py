@@ -45,6 +45,11 @@ class WheelForces:
         """The times at which all wheelsets lie between two arc lengths [m].
 
         Raises ValueError where they do so less than twice.
+
+        Parameters
+        ----------
+        first, last
+            Arc lengths [m].
         """
         inside = ((self.s >= first) & (self.s <= last)).all(axis=1)
         if inside.sum() < 2:

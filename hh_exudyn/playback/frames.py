@@ -32,6 +32,13 @@ class Poses(NamedTuple):
 def track_frames(alignment: Alignment, s: FloatArray) -> TrackFrames:
     """The track frames at arc lengths s (n,) [m].
 
+    Parameters
+    ----------
+    alignment
+        The alignment.
+    s
+        (n,) arc lengths [m].
+
     Raises
     ------
     ValueError
@@ -62,6 +69,13 @@ def moving_frame(alignment: Alignment, s: FloatArray) -> Poses:
 
     It turns with the track's heading alone, so that cant and gradient are visible in the picture. Its poses
     are exact in single precision. Errors as `track_frames`.
+
+    Parameters
+    ----------
+    alignment
+        The alignment.
+    s
+        (n,) arc lengths of the vehicle [m].
     """
     frames = track_frames(alignment, s)
     turn = upright(frames.rotation)
@@ -76,6 +90,14 @@ def upright(turn: Rotation) -> Rotation:
 
 
 def relative(poses: Poses, frame: Poses) -> Poses:
-    """Global poses relative to frames, row by row."""
+    """Global poses relative to frames, row by row.
+
+    Parameters
+    ----------
+    poses
+        N global poses.
+    frame
+        N global poses of the frames.
+    """
     turn = frame.rotation.inv()
     return Poses(turn.apply(poses.position - frame.position), turn * poses.rotation)

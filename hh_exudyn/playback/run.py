@@ -138,7 +138,21 @@ def record_tables(
     every: int = 1,
     vehicle: int | None = None,
 ) -> Path:
-    """As `record`, from motion and contact log as tables, and a scene."""
+    """As `record`, from motion and contact log as tables, and a scene.
+
+    Parameters
+    ----------
+    motion, contact
+        The two logs.
+    scene
+        Vehicle, shapes and track.
+    path
+        File to write.
+    name
+        Of the recording.
+    every, vehicle
+        As `record`.
+    """
     target = Path(path)
     target.parent.mkdir(parents=True, exist_ok=True)
     view = blueprint(scene.vehicle, leading_body(scene.vehicle))
@@ -156,7 +170,19 @@ def send(
     every: int = 1,
     vehicle: int | None = None,
 ) -> None:
-    """Send a run into any recording stream: a file, or a viewer that listens. Errors as `record`."""
+    """Send a run into any recording stream: a file, or a viewer that listens. Errors as `record`.
+
+    Parameters
+    ----------
+    stream
+        The recording.
+    motion, contact
+        The two logs.
+    scene
+        Vehicle, shapes and track.
+    every, vehicle
+        As `record`.
+    """
     if every < 1:
         raise ValueError(f"every = {every} must be at least 1")
     bodies = _bodies(motion, every)

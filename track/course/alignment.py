@@ -111,7 +111,14 @@ class Alignment:
     def from_sections(
         cls, sections: Iterable[Section], step: float = 0.5, grades: Iterable[Grade] = ()
     ) -> Self:
-        """The alignment made of `sections`, from s = 0 onwards."""
+        """The alignment made of `sections`, from s = 0 onwards.
+
+        Parameters
+        ----------
+        sections : in order
+        step : largest distance of the table's nodes [m]
+        grades : vertical profile from s = 0 on; level track without
+        """
         return cls(tuple(sections), step, grades=tuple(grades))
 
     @property

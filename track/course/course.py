@@ -46,6 +46,11 @@ def plan_courses(sections: tuple[Section, ...], lead_in: float, run_out: float) 
     """Courses of curvature, cant and gauge, with constant pieces before s = 0 and behind the end.
 
     Raises ValueError where a quantity jumps or the ends of a `Transition` are not defined.
+
+    Parameters
+    ----------
+    sections : of the alignment, from s = 0 on
+    lead_in, run_out : length of track before s = 0 and beyond the end [m]
     """
     ends = [_ends(sections, i) for i in range(len(sections))]
     bounds = [0.0]
@@ -76,6 +81,12 @@ def grade_course(grades: tuple[Grade, ...], length: float, lead_in: float, run_o
     """Course of the gradient; the last one continues to the end of the track.
 
     Raises ValueError where gradients jump, or where the grades are longer than the sections (`length`, m).
+
+    Parameters
+    ----------
+    grades : vertical profile, from s = 0 on
+    length : of all sections [m]
+    lead_in, run_out : as for `plan_courses` [m]
     """
     pieces: list[tuple[float, float, float, int]] = []
     end = 0.0
@@ -132,14 +143,27 @@ def _course(pieces: list[tuple[float, float, float, int]], lead_in: float, run_o
 
 
 def marks(course: Course, blend: float) -> FloatArray:
-    """Arc lengths [m] between which the blended course is one cubic (or a cosine)."""
+    """Arc lengths [m] between which the blended course is one cubic (or a cosine).
+
+    Parameters
+    ----------
+    course : one quantity along the track
+    blend : half length of a blend [m]
+    """
     kink, half, _ = _kinks(course, blend)
     middle = 0.5 * (course.at[:-1] + course.at[1:])[course.shape == _HELMERT]
     return np.concatenate([course.at, kink - half, kink + half, middle])
 
 
 def values(course: Course, s: FloatArray, blend: float) -> tuple[FloatArray, FloatArray]:
-    """Value and slope of the blended course at increasing arc lengths s (n,)."""
+    """Value and slope of the blended course at increasing arc lengths s (n,).
+
+    Parameters
+    ----------
+    course : one quantity along the track
+    s : (n,) increasing arc lengths [m]
+    blend : half length of a blend [m]
+    """
     piece = np.clip(np.searchsorted(course.at, s, side="right") - 1, 0, course.shape.size - 1)
     length = np.diff(course.at)[piece]
     change = (course.last - course.first)[piece]

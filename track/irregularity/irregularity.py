@@ -128,7 +128,15 @@ class Irregularity:
         return replace(self, values=values, shortest=max(wavelengths[0], self.shortest or 0.0))
 
     def standard_deviation(self, name: str, wavelengths: tuple[float, float] | None = None) -> float:
-        """Standard deviation [m] of a signal, as it is or in a band of wavelengths [m]."""
+        """Standard deviation [m] of a signal, as it is or in a band of wavelengths [m].
+
+        Parameters
+        ----------
+        name : str
+            Of the signal.
+        wavelengths : (float, float) or None
+            Shortest and longest [m]; None for all.
+        """
         values = self.signal(name)
         return float(np.std(values if wavelengths is None else band_pass(values, self.step, wavelengths)))
 
@@ -277,7 +285,17 @@ def random_irregularity(
 
 
 def random_phases(seed: int, stream: int, count: int) -> FloatArray:
-    """Phases uniform in 0 to 2 pi [rad], the same on every machine: the upper 53 bits of PCG64's numbers."""
+    """Phases uniform in 0 to 2 pi [rad], the same on every machine: the upper 53 bits of PCG64's numbers.
+
+    Parameters
+    ----------
+    seed : int
+        >= 0.
+    stream : int
+        Number of the stream of that seed.
+    count : int
+        Number of phases.
+    """
     bits = np.random.PCG64(np.random.SeedSequence(seed, spawn_key=(stream,))).random_raw(count)
     phases: FloatArray = 2.0 * math.pi * 2.0**-53 * (np.asarray(bits) >> np.uint64(11)).astype(float)
     return phases

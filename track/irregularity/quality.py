@@ -108,6 +108,13 @@ def quality_class(deviations: FloatArray, speed: float) -> NDArray[np.int64]:
     """Class (index into `CLASSES`) of sections from their deviations (n, 2) of level and alignment [m].
 
     Raises ValueError for a speed out of range, deviations of another shape, negative or NaN.
+
+    Parameters
+    ----------
+    deviations : (n, 2) array
+        Standard deviations of level and alignment [m], >= 0.
+    speed : float
+        [m/s], up to 300 km/h.
     """
     if deviations.ndim != 2 or deviations.shape[1] != 2:
         raise ValueError(f"deviations has shape {deviations.shape}, it must be (n, 2)")

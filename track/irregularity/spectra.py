@@ -172,6 +172,13 @@ class Spectrum:
         """One-sided S of a signal at angular wave numbers omega > 0 [rad/m], in m^2/(rad/m).
 
         Raises ValueError for a signal that the spectrum does not describe.
+
+        Parameters
+        ----------
+        signal : str
+            One of `signals`.
+        omega : array
+            Angular wave numbers [rad/m], > 0.
         """
         check_signal(signal, self.signals)
         return self.form.density(signal, np.asarray(omega, dtype=float) ** 2, self.parameters)
@@ -180,6 +187,13 @@ class Spectrum:
         """Standard deviation [m] of a signal in a band of wavelengths [m], by integration.
 
         Raises ValueError for a band out of `WAVELENGTHS` or a signal that the spectrum does not describe.
+
+        Parameters
+        ----------
+        signal : str
+            One of `signals`.
+        wavelengths : (float, float)
+            Shortest and longest [m].
         """
         check_wavelengths("wavelengths", wavelengths)
         shortest, longest = wavelengths

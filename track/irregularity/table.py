@@ -50,6 +50,15 @@ def fade_window(count: int, step: float, fade: float) -> FloatArray:
     """Weights of `count` samples that rise from 0 to 1 over `fade` metres and fall again at the end.
 
     Slope and second derivative are zero at both ends of a flank: w = 10 t^3 - 15 t^4 + 6 t^5.
+
+    Parameters
+    ----------
+    count : int
+        Number of samples.
+    step : float
+        Spacing [m].
+    fade : float
+        Length of a flank [m].
     """
     at = step * np.arange(count)
     t = np.clip(np.minimum(at, at[-1] - at) / fade, 0.0, 1.0)
@@ -58,7 +67,19 @@ def fade_window(count: int, step: float, fade: float) -> FloatArray:
 
 
 def irregularity_table(start: float, step: float, values: FloatArray, fade: float) -> IrregularityTable:
-    """The table of samples (n, 4) [m] from arc length `start` at spacing `step`, faded over `fade` [m]."""
+    """The table of samples (n, 4) [m] from arc length `start` at spacing `step`, faded over `fade` [m].
+
+    Parameters
+    ----------
+    start : float
+        Arc length of the first sample [m].
+    step : float
+        Spacing [m].
+    values : (n, 4) array
+        Level, alignment, gauge and cross-level [m].
+    fade : float
+        Length of fading at either end [m].
+    """
     faded = values * fade_window(len(values), step, fade)[:, np.newaxis]
     padded = np.pad(faded, ((_MARGIN, _MARGIN), (0, 0)))
     first = start - _MARGIN * step
@@ -78,6 +99,13 @@ def irregularity_at(table: IrregularityTable, s: float) -> IrregularityState:
     """The four irregularities and their slopes at arc length s; zero outside the table.
 
     All NaN where s is NaN.
+
+    Parameters
+    ----------
+    table : IrregularityTable
+        Of the track.
+    s : float
+        Arc length [m].
     """
     u = (s - table.start) * table.per_step
     last = table.nodes.shape[0] - 1

@@ -79,6 +79,11 @@ class SleeperTrack:
         """Dynamic stiffness of one rail seat [N/m] at an angular frequency [rad/s].
 
         The sleeper is rigid, a uniform bar on a uniform bed. Laterally the ballast is fixed to the ground.
+
+        Parameters
+        ----------
+        direction, loading : lateral or vertical; both rails alike or opposite
+        omega : angular frequency [rad/s]
         """
         half_sleeper = -(omega**2) * 0.5 * self.sleeper_mass
         if direction == "lateral":
@@ -136,7 +141,12 @@ class SleeperTrack:
 
 
 def series(first: complex, second: complex) -> complex:
-    """Stiffness of two springs in series [N/m]."""
+    """Stiffness of two springs in series [N/m].
+
+    Parameters
+    ----------
+    first, second : stiffnesses [N/m]
+    """
     return first * second / (first + second)
 
 

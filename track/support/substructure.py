@@ -60,7 +60,15 @@ class TrackParameters(NamedTuple):
 
 @inlined_kernel
 def rail_shift(parameters: TrackParameters, s: float, side: int, q: NDArray[np.float64]) -> RailShift:
-    """Deflection of a rail (side 0 left, 1 right) and its slopes by equation (2), for q of `track_forces`."""
+    """Deflection of a rail (side 0 left, 1 right) and its slopes by equation (2), for q of `track_forces`.
+
+    Parameters
+    ----------
+    parameters : springs and dampers
+    s : arc length of the wheelset along the track [m]
+    side : 0 left, 1 right
+    q : (7,) displacements [m, rad] in the order of `DOFS`
+    """
     p = parameters
     phase = 2.0 * math.pi * s / p.sleeper_spacing
     wave = math.cos(phase)
@@ -209,7 +217,13 @@ class TrackFlexibility:
         return stiffness, damping
 
     def receptance(self, frequency: float, s: float | None = None) -> NDArray[np.complex128]:
-        """(7, 7) displacements per unit force at a frequency [Hz], >= 0; s as in `matrices`. Static at 0."""
+        """(7, 7) displacements per unit force at a frequency [Hz], >= 0; s as in `matrices`. Static at 0.
+
+        Parameters
+        ----------
+        frequency : [Hz], >= 0
+        s : arc length as in `matrices` [m]
+        """
         if not 0.0 <= frequency < math.inf:
             raise ValueError(f"frequency is {frequency} Hz, it must be >= 0 and finite")
         stiffness, damping = self.matrices(s)
@@ -231,7 +245,13 @@ class TrackFlexibility:
         return np.abs(roots) / (2.0 * math.pi), -roots.real / np.abs(roots)
 
     def static_deflection(self, load: float, s: float | None = None) -> float:
-        """Deflection of both rails [m] under a vertical load per wheel [N] on both; s as in `matrices`."""
+        """Deflection of both rails [m] under a vertical load per wheel [N] on both; s as in `matrices`.
+
+        Parameters
+        ----------
+        load : vertical force of each wheel [N]
+        s : arc length as in `matrices` [m]
+        """
         stiffness, _ = self.matrices(s)
         return -float(np.linalg.solve(stiffness, [0.0, -load, 0.0, -load, 0.0, 0.0, 0.0])[1])
 

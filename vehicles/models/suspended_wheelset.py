@@ -47,12 +47,25 @@ def suspended_wheelset(name: str, p: ParameterSet) -> Vehicle:
 
 
 def held_body(name: str, kind: str, position: tuple[float, float, float], weight: float) -> Body:
-    """A body in straight motion at constant speed, with its weight on its couplings [N]."""
+    """A body in straight motion at constant speed, with its weight on its couplings [N].
+
+    Parameters
+    ----------
+    name, kind : of the body
+    position : of its centre of mass on the drawing [m]
+    weight : carried by its couplings [N]
+    """
     return Body(name, kind, HELD_MASS, (HELD_MASS, HELD_MASS, HELD_MASS), position, held_weight=weight)
 
 
 def towed(body: str, centre: tuple[float, float, float]) -> Coupler:
-    """A train of nearly no force: the mass of a held body maintains its speed."""
+    """A train of nearly no force: the mass of a held body maintains its speed.
+
+    Parameters
+    ----------
+    body : name of the held body
+    centre : its centre of mass on the drawing [m]
+    """
     return Coupler((body,), (centre,), _TRAIN_STIFFNESS, _TRAIN_DAMPING)
 
 

@@ -76,7 +76,15 @@ class SpeedControl:
         self._speed: float | None = None
 
     def step(self, speed: float, least: float, most: float, rate: float, interval: float) -> float:
-        """Effort [N] for the next interval [s], between `least` and `most` [N], at `rate` [N/s] at most."""
+        """Effort [N] for the next interval [s], between `least` and `most` [N], at `rate` [N/s] at most.
+
+        Parameters
+        ----------
+        speed : of the vehicle [m/s]
+        least, most : bounds of the effort [N]
+        rate : largest rate of change of the effort [N/s]
+        interval : until the next sample [s]
+        """
         change = 0.0 if self._speed is None else (speed - self._speed) / interval
         self._speed = speed
         error = self.set_speed - speed
@@ -169,7 +177,14 @@ class OverSlip:
     def step(
         self, wheel_speeds: FloatArray, speeds: FloatArray, largest: float, interval: float
     ) -> FloatArray:
-        """Torques [N m] for the next interval [s], each within `largest` [N m] of zero."""
+        """Torques [N m] for the next interval [s], each within `largest` [N m] of zero.
+
+        Parameters
+        ----------
+        wheel_speeds, speeds : (axles,) spin times rolling radius, and true forward speed [m/s]
+        largest : largest torque of either sign [N m]
+        interval : until the next sample [s]
+        """
         error = (1.0 + self._creepage) * speeds - wheel_speeds
         self._held = np.clip(self._held + self._gain / self.RESET_TIME * error * interval, -largest, largest)
         return np.clip(self._held + self._gain * error, -largest, largest)

@@ -81,7 +81,13 @@ class TrailingTrain:
         return np.asarray(head - np.cumsum(lengths) + 0.5 * lengths)
 
     def resisting_force(self, head: float, speed: float) -> float:
-        """Resistance of rolling and of curves, and the downhill force: against forward motion [N]."""
+        """Resistance of rolling and of curves, and the downhill force: against forward motion [N].
+
+        Parameters
+        ----------
+        head : arc length of the train's front coupler [m]
+        speed : of the train [m/s]
+        """
         masses = np.repeat([self.locomotive_mass, self.wagon_mass], [self.locomotives, self.wagons])
         places = self.places(head)
         axle_load = self.wagon_mass / 4e3

@@ -98,14 +98,26 @@ def _widths(y: FloatArray) -> FloatArray:
 
 
 def tread(y: FloatArray, z: FloatArray) -> float:
-    """Height of the tread or of a rail's running surface: half the profile's width lies above it [m]."""
+    """Height of the tread or of a rail's running surface: half the profile's width lies above it [m].
+
+    Parameters
+    ----------
+    y, z : FloatArray
+        (n,) points of the curve, z upwards [m].
+    """
     order = np.argsort(z)
     share = np.cumsum(_widths(y)[order])
     return float(z[order][np.searchsorted(share, 0.5 * share[-1])])
 
 
 def protrusion_is_down(y: FloatArray, z: FloatArray) -> bool:
-    """Whether the protrusion of the profile (flange, sides of a rail) has negative z."""
+    """Whether the protrusion of the profile (flange, sides of a rail) has negative z.
+
+    Parameters
+    ----------
+    y, z : FloatArray
+        (n,) points of the curve [m].
+    """
     return bool(np.sum((z - tread(y, z)) * _widths(y)) < 0.0)
 
 

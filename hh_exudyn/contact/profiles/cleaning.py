@@ -16,7 +16,13 @@ _SHUFFLED = 2.0  # length of the line through the points over that through the p
 
 
 def arc_length(y: FloatArray, z: FloatArray) -> FloatArray:
-    """Length along the points from the first one [m]."""
+    """Length along the points from the first one [m].
+
+    Parameters
+    ----------
+    y, z : FloatArray
+        (n,) points in order [m].
+    """
     return np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
 
 
@@ -25,6 +31,11 @@ def file_order(y: FloatArray, z: FloatArray) -> IndexArray:
 
     Points are normally in the order of the curve, which may overhang, so their order is unchanged; unless the
     line through them is twice as long as sorted by y: then the lines of the file were shuffled.
+
+    Parameters
+    ----------
+    y, z : FloatArray
+        (n,) points in the order of the file [m].
     """
     by_y = np.argsort(y, kind="stable")
     shuffled = arc_length(y, z)[-1] > _SHUFFLED * arc_length(y[by_y], z[by_y])[-1]
@@ -32,7 +43,13 @@ def file_order(y: FloatArray, z: FloatArray) -> IndexArray:
 
 
 def distinct(y: FloatArray, z: FloatArray) -> IndexArray:
-    """Indices of the points that lie at least `DUPLICATE` from the last such point."""
+    """Indices of the points that lie at least `DUPLICATE` from the last such point.
+
+    Parameters
+    ----------
+    y, z : FloatArray
+        (n,) points in order [m].
+    """
     indices = [0]
     for i in range(1, len(y)):
         if np.hypot(y[i] - y[indices[-1]], z[i] - z[indices[-1]]) >= DUPLICATE:

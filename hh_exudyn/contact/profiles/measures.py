@@ -180,6 +180,11 @@ def align_rail(worn: Profile, reference: Profile) -> tuple[float, float]:
     Least squares of the distances from the reference of the worn rail's points more than 12 mm outside of its
     middle, which wheels without a hollow do not touch. Rotation is not fitted.
 
+    Parameters
+    ----------
+    worn, reference : Profile
+        Rails in side coordinates; the reference with the inclination of the worn rail.
+
     Raises
     ------
     ValueError

@@ -103,6 +103,13 @@ def read_rail_profile(path: str | Path, *, mirrored: bool = False) -> Profile:
     are taken as they are, with any lateral origin; ``#`` starts a comment. For the others, and for
     `mirrored`, see `axes`.
 
+    Parameters
+    ----------
+    path : str or Path
+        The file; its stem names the profile.
+    mirrored : bool
+        For a rail with both sides down to 14 mm: the gauge side is opposite to the format's usual one.
+
     Raises
     ------
     ValueError

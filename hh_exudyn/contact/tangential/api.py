@@ -69,7 +69,15 @@ class TractionField:
 
 
 def cell_areas(a: float, b: float, ny: int, nx: int) -> FloatArray:
-    """Areas of the grid's cells [m^2], (ny, nx): (2 b/ny) (2 a(y_j)/nx), so sum(q * area) is the force."""
+    """Areas of the grid's cells [m^2], (ny, nx): (2 b/ny) (2 a(y_j)/nx), so sum(q * area) is the force.
+
+    Parameters
+    ----------
+    a, b : float
+        Semi-axes in rolling direction and lateral [m].
+    ny, nx : int
+        Strips, and cells along each.
+    """
     lateral = -1.0 + (2.0 * np.arange(ny) + 1.0) / ny
     areas = 4.0 * a * b / (nx * ny) * np.sqrt(1.0 - lateral**2)
     return np.repeat(areas[:, None], nx, axis=1)

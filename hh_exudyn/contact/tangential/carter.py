@@ -29,6 +29,11 @@ def slip_share(patch: RollingPatch) -> tuple[float, float]:
     """Share of the length that slips, 1 - d/a of equation 2.19 [-], and 2 (1 - nu) mu p0/G [-].
 
     The share is R |nu_x|/(mu a) of equation 2.21; it exceeds 1 for creepages beyond the onset of full slip.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
     """
     compliance = 2.0 * (1.0 - patch.poisson_ratio) * patch.friction
     saturation = compliance * peak_pressure(patch) / patch.shear_modulus
@@ -37,7 +42,13 @@ def slip_share(patch: RollingPatch) -> tuple[float, float]:
 
 @kernel
 def force(patch: RollingPatch) -> tuple[float, float, float]:
-    """Creep force on the wheel, (F_x, 0, 0)."""
+    """Creep force on the wheel, (F_x, 0, 0).
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    """
     share, _ = slip_share(patch)
     share = min(share, 1.0)
     size = patch.friction * patch.normal_force * (2.0 - share) * share  # (2.21)
@@ -50,6 +61,14 @@ def field(patch: RollingPatch, fields: Fields) -> None:
 
     Slip is the creepage less the surface's strain, in closed form; the strain does no net work along a line,
     so friction dissipates F_x nu_x.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    fields : Fields
+        Arrays (ny, nx) of the grid of `tangential.api`: pressure and tractions [Pa], slip over V [-];
+        result.
     """
     pressure, q_x, q_y, slip_x, slip_y = fields
     cells_y, cells_x = pressure.shape

@@ -170,7 +170,15 @@ def force_on_strips(
 
 @kernel
 def force(patch: RollingPatch, cells_x: int, cells_y: int) -> tuple[float, float, float]:
-    """Creep forces and spin moment on the wheel."""
+    """Creep forces and spin moment on the wheel.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    cells_x, cells_y : int
+        Cells along each strip, and strips.
+    """
     rolling = rolling_strips(patch)
     state = memory(STATE_SIZE)
     weight = _cell_weight(cells_x)
@@ -298,6 +306,14 @@ def field(patch: RollingPatch, fields: Fields) -> None:
     friction dissipate the power of the creepages: sum of q.s dA = F_x nu_x + F_y nu_y + M phi. L1 error
     of |s| in the five exact fields, in %, with and without the scale, and that of FASTSIM: one creepage
     9.2, 9.2, 48; tread 25, 25, 65; spin 21, 26, 48; lateral creepage and spin 21, 22, 28; flange 14, 14, 23.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    fields : Fields
+        Arrays (ny, nx) of the grid of `tangential.api`: pressure and tractions [Pa], slip over V [-];
+        result.
     """
     cells_y, cells_x = fields.pressure.shape
     rolling = rolling_strips(patch)

@@ -58,7 +58,13 @@ class Rolling(NamedTuple):
 
 @inlined_kernel
 def rolling_strips(patch: RollingPatch) -> Rolling:
-    """Creepages scaled for strip theory (equation 2.43) and for FASTSIM."""
+    """Creepages scaled for strip theory (equation 2.43) and for FASTSIM.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    """
     a, b, nu_x, nu_y, phi = patch.a, patch.b, patch.nu_x, patch.nu_y, patch.phi
     friction, shear_modulus, poisson_ratio = patch.friction, patch.shear_modulus, patch.poisson_ratio
     c11, c22, c23, _ = coefficients(a / b, poisson_ratio)
@@ -124,7 +130,13 @@ def strip(xi: float, eta: float, psi: float, poisson_ratio: float) -> tuple[bool
 
 @inlined_kernel
 def direction_force(patch: RollingPatch) -> float:
-    """Normal force in FASTSIM for the directions [N] (Sichani 2016)."""
+    """Normal force in FASTSIM for the directions [N] (Sichani 2016).
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    """
     if patch.a < patch.b:
         return patch.normal_force * (1.0 + (1.0 - patch.a / patch.b) ** 4)
     return patch.normal_force

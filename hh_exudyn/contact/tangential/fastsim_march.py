@@ -62,7 +62,15 @@ def stiffnesses(
 
 @inlined_kernel
 def single_stiffness(stiff_x: float, stiff_y: float, stiff_phi: float, patch: RollingPatch) -> float:
-    """1/L of the three flexibilities weighted by the creepages [Pa/m]."""
+    """1/L of the three flexibilities weighted by the creepages [Pa/m].
+
+    Parameters
+    ----------
+    stiff_x, stiff_y, stiff_phi : float
+        From `stiffnesses` [Pa/m].
+    patch : RollingPatch
+        Semi-axes and creepages are read.
+    """
     nu_x, nu_y, spin = patch.nu_x, patch.nu_y, math.sqrt(patch.a * patch.b) * patch.phi
     weighted = abs(nu_x) / stiff_x + abs(nu_y) / stiff_y + abs(spin) / stiff_phi
     if weighted == 0.0:
@@ -129,6 +137,15 @@ def begin(groups: int, cells_x: int, state: Memory) -> None:
 
     Until then the traction is (xi - 1) times v = (w_x, w_y + spin (1 + xi)/2). The rows of w hold the scaled
     rigid slip, and afterwards that of one cell.
+
+    Parameters
+    ----------
+    groups : int
+        In use.
+    cells_x : int
+        Cells along each strip.
+    state : memory
+        Of the block, changed.
     """
     s = shaped(state, SHAPE)
     for g in range(groups):

@@ -15,7 +15,13 @@ from hh_exudyn.kernel import kernel
 
 @kernel
 def force(patch: RollingPatch) -> tuple[float, float, float]:
-    """Creep forces and spin moment on the wheel, equation 2.22."""
+    """Creep forces and spin moment on the wheel, equation 2.22.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    """
     a, b = patch.a, patch.b
     c11, c22, c23, c33 = coefficients(a / b, patch.poisson_ratio)
     size = math.sqrt(a * b)

@@ -30,7 +30,15 @@ from hh_exudyn.kernel import kernel
 
 @kernel
 def force(patch: RollingPatch, k_adhesion: float, k_slip: float) -> tuple[float, float, float]:
-    """Creep forces on the wheel, (F_x, F_y, 0); the factors as in `Contamination`."""
+    """Creep forces on the wheel, (F_x, F_y, 0); the factors as in `Contamination`.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    k_adhesion, k_slip : float
+        Reduction factors [-], see `Contamination`.
+    """
     a, b, nu_x, nu_y = patch.a, patch.b, patch.nu_x, patch.nu_y
     spin = a * patch.phi
     at_edge = nu_y + spin if abs(nu_y + spin) > abs(nu_y) else nu_y  # lateral creepage corrected for spin

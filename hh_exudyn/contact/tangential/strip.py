@@ -30,7 +30,13 @@ from hh_exudyn.kernel import kernel
 
 @kernel
 def scaled_creepages(patch: RollingPatch) -> tuple[float, float, float]:
-    """xi in the middle strip, eta, psi of equation 2.30 [-]."""
+    """xi in the middle strip, eta, psi of equation 2.30 [-].
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    """
     half = -0.5 * patch.shear_modulus / (patch.friction * peak_pressure(patch))
     return half * patch.nu_x, half * (1.0 - patch.poisson_ratio) * patch.nu_y, half * patch.a * patch.phi
 
@@ -92,6 +98,13 @@ def force(patch: RollingPatch, cells_y: int) -> tuple[float, float, float]:
 
     The semi-ellipses of equation 2.24 are integrated exactly along a strip: only the number of strips
     matters.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    cells_y : int
+        Strips.
     """
     a, b, poisson_ratio = patch.a, patch.b, patch.poisson_ratio
     xi_0, eta, psi = scaled_creepages(patch)
@@ -127,6 +140,14 @@ def field(patch: RollingPatch, fields: Fields) -> None:
     strains the surface by -2 (1 - nu)/G q_x x/a and -2/G q_y x/a; in the stick zone that is the rigid slip
     exactly. Slip and traction are opposite within a few degrees only (the theory takes one direction for the
     whole slip zone); where slip would be along the traction, it is set to zero.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    fields : Fields
+        Arrays (ny, nx) of the grid of `tangential.api`: pressure and tractions [Pa], slip over V [-];
+        result.
     """
     pressure, q_x, q_y, slip_x, slip_y = fields
     cells_y, cells_x = pressure.shape

@@ -77,7 +77,17 @@ def load_ellipse(patch: RollingPatch, first: int, count: int, total: int, state:
 
 @kernel
 def load_strips(strips: FloatArray, first: int, count: int, state: Memory) -> int:
-    """Write `count` rows of an array of strips, from row `first`, into a block; returns as `load_ellipse`."""
+    """Write `count` rows of an array of strips, from row `first`, into a block; returns as `load_ellipse`.
+
+    Parameters
+    ----------
+    strips : FloatArray
+        (n, STRIP_COLUMNS) array of strips.
+    first, count : int
+        First row, and number of rows.
+    state : memory
+        Of the block; lanes beyond the last strip become empty strips.
+    """
     s = shaped(state, SHAPE)
     groups = (count + LANES - 1) // LANES
     for g in range(groups):
@@ -95,7 +105,15 @@ def load_strips(strips: FloatArray, first: int, count: int, state: Memory) -> in
 
 @kernel
 def scale_slip(factor: float, slip_x: FloatArray, slip_y: FloatArray) -> None:
-    """Multiply the slip of a field (ny, nx) by a factor, in place."""
+    """Multiply the slip of a field (ny, nx) by a factor, in place.
+
+    Parameters
+    ----------
+    factor : float
+        [-].
+    slip_x, slip_y : FloatArray
+        (ny, nx) slip over V, changed [-].
+    """
     for j in range(slip_x.shape[0]):
         for i in range(slip_x.shape[1]):
             slip_x[j, i] *= factor

@@ -150,7 +150,17 @@ def exact_fields() -> list[ExactField]:
 
 
 def force_error(theory: str, exact: ExactForce, cells: tuple[int, int] = CELLS) -> float:
-    """Distance of a theory's force vector from the exact one, over friction * normal force [-]."""
+    """Distance of a theory's force vector from the exact one, over friction * normal force [-].
+
+    Parameters
+    ----------
+    theory : str
+        One of `THEORIES`.
+    exact : ExactForce
+        The exact case.
+    cells : tuple of int
+        Cells along x and strips across y.
+    """
     case = exact.case
     found = creep_force(theory, *case.arguments, cells=cells)
     limit = case.friction * case.normal_force
@@ -158,7 +168,17 @@ def force_error(theory: str, exact: ExactForce, cells: tuple[int, int] = CELLS) 
 
 
 def field_errors(theory: str, exact: ExactField, cells: tuple[int, int] = CELLS) -> FieldErrors:
-    """Errors of a theory's stress and slip, on the theory's own cells (the exact field is interpolated)."""
+    """Errors of a theory's stress and slip, on the theory's own cells (the exact field is interpolated).
+
+    Parameters
+    ----------
+    theory : str
+        A theory with a field.
+    exact : ExactField
+        The exact field.
+    cells : tuple of int
+        Cells along x and strips across y.
+    """
     case = exact.case
     field = traction_field(theory, *case.arguments, cells=cells)
     areas = cell_areas(case.a, case.b, cells[1], cells[0])

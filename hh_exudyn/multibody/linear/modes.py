@@ -152,6 +152,11 @@ class LinearVehicle:
         """Model, work space and equilibrium at a speed [m/s]; with a time step [s], as in a run.
 
         Raises NoEquilibrium where there is none.
+
+        Parameters
+        ----------
+        speed : [m/s]
+        step : time step of a run, on which the lag of its creepage depends; 0 for the exact motion [s]
         """
         model = self._model._replace(
             train=self._model.train._replace(speed=speed),
@@ -189,7 +194,13 @@ class LinearVehicle:
         return sorted(chosen, key=lambda mode: mode.eigenvalue.imag)
 
     def growth(self, speed: float, step: float = 0.0) -> tuple[float, Mode]:
-        """Negative damping ratio of the least damped oscillating mode at a speed [m/s], and that mode."""
+        """Negative damping ratio of the least damped oscillating mode at a speed [m/s], and that mode.
+
+        Parameters
+        ----------
+        speed : [m/s]
+        step : time step as for `modes` [s]
+        """
         mode = min(self.modes(speed, step=step), key=lambda mode: mode.damping_ratio)
         return -mode.damping_ratio, mode
 

@@ -48,6 +48,15 @@ def pieces(
 ) -> Iterator[Piece]:
     """The track between two arc lengths [m], cut to where there is track, piece by piece.
 
+    Parameters
+    ----------
+    alignment
+        The alignment.
+    rail_left, rail_right
+        Rails of both sides along the track.
+    first, last
+        Arc lengths [m].
+
     Raises
     ------
     ValueError
