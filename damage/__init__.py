@@ -10,7 +10,7 @@ Start with `damage.report.assess`, which takes a run, files, a table or arrays.
 `summary`       means per wheelset over the last part of a run
 `cells`         middles of the cells of a patch
 `bounds`        checks of numbers against their bounds
-`log_input`     the contact log, checked, each row with the interval it stands for
+`log_input`     the contact log, checked, each row with its output interval
 `surface`       sums over contact states on a grid fixed to the wheel profile
 `wear`          wear laws, wear number
 `rcf`           rolling contact fatigue: indices, counts, cracks, ratchetting, cracks beside wear
@@ -19,6 +19,6 @@ Start with `damage.report.assess`, which takes a run, files, a table or arrays.
 `figures`       wear and fatigue over the profile, shakedown diagram, wear map
 ==============  ====================================================================================
 
-The way of a log row: `log_input` reads it, `surface` places it on the profile, solves its patch and sums its
-wear (`wear`) and its fatigue (`rcf`), `report` makes the table.
+A log row is read by `log_input`; `surface` places it on the profile, solves its patch and sums wear (`wear`)
+and fatigue (`rcf`); `report` makes the table.
 """

@@ -262,5 +262,5 @@ structref.define_proxy(Bundle, _BundleType, ["model", "work"])
 
 @kernel
 def _new_bundle(model: Any, work: Any) -> Any:
-    """In the kernel cache, unlike what the proxy would compile by itself: that takes seconds a process."""
+    """A `Bundle`, made by a cached kernel: the proxy's own constructor would be compiled in every process."""
     return Bundle(model, work)

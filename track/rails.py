@@ -37,7 +37,7 @@ class Rails:
 
     Parameters
     ----------
-    left, right : a name that `rail_profile` knows ("60E1"), or a path to an existing profile file
+    left, right : a name for `rail_profile` ("60E1"), or the path of an existing profile file
     inclination : of standard profiles towards the track centre, as a slope [-], 0 (upright) to 1/10.
         A measured profile has the inclination of its file.
     """

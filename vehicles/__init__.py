@@ -2,7 +2,7 @@
 
 ===============  =====================================================================================
 `models`         the vehicles themselves, one file each, with their records
-`traction`       drives, driver, train and steering: what moves a vehicle along its track
+`traction`       drives, driver, train and steering of a vehicle that drives itself
 `description`    bodies, wheelsets, vehicles, in the coordinates of the drawing
 `couplings`      descriptions of springs, rods, stops, wedges, plates between two bodies; their forces
                  are in `hh_exudyn.multibody.couplings`

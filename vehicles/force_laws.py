@@ -157,9 +157,10 @@ def dry_friction(
 def _left_of_stretch(
     spring_u: float, spring_w: float, stiffness_u: float, stiffness_w: float, bound: float
 ) -> tuple[float, float]:
-    """Shares 0..1 of the stretch in u and w that slip leaves, where the spring's force exceeds the bound.
+    """Shares 0..1 of the stretch in u and w that remain after slip, where the spring's force exceeds the
+    bound.
 
-    With the slip a times the force that is left, that force is spring / (1 + a stiffness), and a follows from
+    With a slip of a times the remaining force, that force is spring / (1 + a stiffness), and a follows from
     its magnitude, the bound. Newton's method for 1 / magnitude comes up to a from below in a handful of steps
     (A. R. Conn, N. I. M. Gould and P. L. Toint, Trust-Region Methods, 2000, 7.3); with a single stiffness the
     share is bound / magnitude.

@@ -20,7 +20,7 @@ _FRAMES = ("side_frame", "bolster", "bogie_frame")  # kinds with a box around th
 
 
 def body_box(vehicle: Vehicle, body: Body) -> tuple[FloatArray, FloatArray]:
-    """Two corners of the box that stands for a body (lowest and highest x, y, z) [m]."""
+    """Two corners of the box of a body (lowest and highest x, y, z) [m]."""
     if body.kind == "car_body" and (outline := _outline(vehicle, body)) is not None:
         return outline
     points = [point for other, point in attachments(vehicle) if other == body.name]

@@ -1,4 +1,4 @@
-"""The output times of a contact log: the interval that every row stands for, found while the log is read.
+"""The output times of a contact log: the output interval of every row, found while the log is read.
 
 The interval of a row ends at its time and begins at the output time before it, and the rows of one time share
 it. Both are known once a row of a later time has been read. A log in order of time is therefore read once: a
@@ -127,7 +127,7 @@ def timed_states(
     bad_rows: BadRows | None = None,
     clock: OutputClock | None = None,
 ) -> Iterator[TimedStates]:
-    """The contact log in pieces, each row with the interval it stands for, in one pass.
+    """The contact log in pieces, each row with its output interval, in one pass.
 
     Parameters
     ----------

@@ -83,7 +83,7 @@ def patch_of(states: ContactStates, row: int, elastic: Elastic) -> RollingPatch:
 def contact_states(
     given: Mapping[str, Any] | pyarrow.Table, columns: Iterable[str] = WEAR_COLUMNS
 ) -> ContactStates:
-    """Contact states from numbers, arrays or a contact log's table; the columns not asked for are NaN.
+    """Contact states from numbers, arrays or a contact log's table; columns not requested are NaN.
 
     Parameters
     ----------

@@ -43,8 +43,8 @@ class LocalFatigue:
     Attributes
     ----------
     y
-        (n, strips), as what follows: middle of the strips, lateral from the contact's place in the contact
-        frame, to the left [m]. On the wheel profile it lies at y_wheel - side y cos(contact_angle).
+        (n, strips), like the following two: middle of the strips in the contact frame, to the left of the
+        contact's place [m]. On the wheel profile it lies at y_wheel - side y cos(contact_angle).
     stress_index
         Largest SI [Pa], >= -k; -k without traction.
     fatigue_index

@@ -16,7 +16,7 @@ Johnson's diagrams and Table 3-1. With sigma_y, the third principal stress in pl
 earlier (`SubsurfaceStress.max_shear`): at mu = 0.2, 0.3, 0.35 and 0.4 the elastic limit would be 3.08, 2.63,
 2.45 and 2.29 instead of 3.13, 2.90, 2.75 and 2.50 (Poisson's ratio 0.28); at 0, 0.1 and 0.5 it is the same.
 
-The centre is the same at all depths, as Table 3-1 has it. For ``perfect`` a residual stress that varies with
+The centre is the same at all depths, as in Table 3-1. For ``perfect`` a residual stress that varies with
 depth is admissible too; its limit, 1/max|tau_xz/p0|, is the same but between mu = 0.35 and 0.376, where it
 is up to 0.8 per cent higher.
 

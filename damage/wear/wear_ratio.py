@@ -7,7 +7,7 @@ simulation is multiplied by it, without solving the patches. There the error was
 step.
 
 Reason: in the cells that slip |q| = mu p, so with elastic slip and within one region of the
-wear map the ratio is k/(H mu) exactly, whatever the load and the creepages. It holds for the friction, the
+wear map the ratio is k/(H mu) exactly, for any load and creepages. It holds for the friction, the
 region and the lubrication that it was learnt in: from friction mu_1 to mu_2 the volume is off by
 mu_2/mu_1 - 1. Energy over friction in place of the energy removes that part.
 

@@ -39,7 +39,7 @@ def modes(
     ] = None,
     mode: Annotated[int, typer.Option(metavar="N", help="Which mode, by its number in the table.")] = 1,
 ) -> None:
-    """Oscillating modes of a case's vehicle on straight track: frequency, damping, what moves most."""
+    """Oscillating modes of a case's vehicle on straight track: frequency, damping, largest motion."""
     with output.errors_in_one_line():
         inputs.require_new_file(playback, "--playback", inputs.RECORDINGS)
         inputs.check_range("--speed-km-h", speed_km_h, SLOWEST, FASTEST, "km/h")

@@ -9,8 +9,8 @@ The kinks that sections leave (both ends of a clothoid, of a cant ramp, of a ver
 `blend` metres to both sides, without displacement of the track behind (`track.course.course` has the
 formula). Curvature, cant or gauge that jump from section to section are errors, not blended.
 
-Outside the sections: before s = 0 and behind the end the track goes on with the curvature, cant,
-gauge and gradient it has there (`lead_in` and `run_out` metres, since the rear of a vehicle stands at s < 0),
+Outside the sections: before s = 0 and beyond the end the track continues with the curvature, cant, gauge and
+gradient it has there (`lead_in` and `run_out` metres, since the rear of a vehicle stands at s < 0),
 so an alignment of one `Curve` is a full circle. A `Transition` at the start or the end joins a straight
 without cant. Beyond lead-in and run-out there is no track: the kernels return NaN.
 

@@ -7,9 +7,9 @@ of curvature,
     minimise  sum_i w_i r_i^2 + (L / 2 pi)^6 int (d kappa / ds)^2 ds
     subject to the chain having no gap and no corner,
 
-with r_i the distance of point i from the chain across it, w_i the length of track that the point stands for,
-and L the `wavelength`: a sinusoidal deviation of that wavelength keeps half of its amplitude, one of L / 2
-keeps 1.5 % (the smoother's response is 1 / (1 + (L f)^6)). Straights and circular curves of any radius cost
+with r_i the distance of point i from the chain across it, w_i the length of track assigned to the point,
+and L the `wavelength`: a sinusoidal deviation of that wavelength is reduced to half, one of L / 2 to 1.5 %
+(the smoother's response is 1 / (1 + (L f)^6)). Straights and circular curves of any radius cost
 nothing and are not biased; the ends of transitions are rounded over some L / 3. Heights are smoothed by the
 same rule with the rate of the vertical curvature as penalty.
 
@@ -128,7 +128,7 @@ def _cells(length: FloatArray, *knots: FloatArray) -> list[tuple[float, ...]]:
 
 
 def _checked_chords(points: FloatArray, wavelength: float) -> FloatArray:
-    """Distances between successive points [m]; raises ValueError as `fit_centre_line` says."""
+    """Distances between successive points [m]; raises ValueError as `fit_centre_line`."""
     if points.ndim != 2 or points.shape[1] not in (2, 3):
         raise ValueError(f"points have shape {points.shape}, allowed are (n, 2) and (n, 3)")
     bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
@@ -297,6 +297,6 @@ def _first_chain(points: FloatArray, s: FloatArray, h: float, m: int) -> FloatAr
 
 
 def _weights(s: FloatArray) -> FloatArray:
-    """Length of track that each point stands for [m]."""
+    """Length of track assigned to each point [m]."""
     chord = np.diff(s)
     return 0.5 * (np.append(chord, chord[-1]) + np.insert(chord, 0, chord[0]))

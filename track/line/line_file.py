@@ -19,7 +19,7 @@ from track.rails import NEW, GaugeRule, RailPair, RailRule, known_rail, rail_pai
 
 GROUP = "hh_exudyn.lines"  # of the entry points
 
-_RADIUS = (100.0, 20000.0)  # m, as `track.course.alignment` has it
+_RADIUS = (100.0, 20000.0)  # m, as in `track.course.alignment`
 _ROUNDING = 0.015  # of published distributions and lengths, in whole per cent
 _STRAIGHT = "straight"
 

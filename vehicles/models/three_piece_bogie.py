@@ -1,4 +1,4 @@
-"""The three-piece bogie: bolster, two side frames, two wheelsets and what couples them."""
+"""The three-piece bogie: bolster, two side frames, two wheelsets and their couplings."""
 
 import math
 

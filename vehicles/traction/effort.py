@@ -61,8 +61,8 @@ class SpeedControl:
     """PID control of the speed of a mass: the effort of all units together, within its bounds.
 
     M v' = F - D and F = P e + I int e dt - D v' give poles of frequency w and damping z where P = 2 z w M,
-    I = w^2 M (with M the mass and what the derivative adds). The integral stops where the effort meets a
-    bound, so that it does not wind up. `effort` starts as the effort that balances the train.
+    I = w^2 M (with M the mass and the inertia added by the derivative). The integral stops where the effort
+    meets a bound, so that it does not wind up. `effort` starts as the effort that balances the train.
     """
 
     def __init__(self, set_speed: float, mass: float, effort: float, gains: SpeedControlGains) -> None:
