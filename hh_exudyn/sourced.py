@@ -8,9 +8,9 @@ Every number of a data file is an entry of a table::
 `source` begins with one of `KINDS`; ``range = [least, largest]`` are the bounds for variations of the
 number, ``confirmed = false`` marks a number quoted from memory or at second hand. A value may be a
 list; each of its items is then a parameter of its own, ``name[0]``, ``name[1]``, ... Texts beside the entries
-(a description, the name of a formula) stay texts.
+(a description, the name of a formula) remain texts.
 
-`load_parameters` reads a file of a package, `read_parameters` tables that are at hand. `ParameterSet.replace`
+`load_parameters` reads a file of a package, `read_parameters` reads tables in memory. `ParameterSet.replace`
 gives a changed copy; `differences` compares two sets.
 """
 

@@ -66,7 +66,7 @@ class Zones:
         return self.tread, self.gauge_corner, self.flange
 
     def treated(self, *treatments: str) -> "Zones":
-        """With lubrication or conditioning, which lowers friction where it is higher and never raises it.
+        """The zones after lubrication or conditioning: the lower of both frictions in each zone.
 
         Raises ValueError for an unknown treatment (lists the known ones).
         """

@@ -32,9 +32,9 @@ class AxleBoxPad:
 class AxleBox:
     """Axle box in a side frame's pedestal: the frame (A) stands on a pad on the box of a wheelset (B).
 
-    The pad shears elastically until the dry friction of its seat, friction times its load, gives way; it then
-    slides as far as the pedestal's clearance, longitudinal or lateral, where the stop takes over. It cannot
-    pull. The wheelset spins freely.
+    The pad shears elastically until the dry friction of its seat, friction times its load, is exceeded; it
+    then slides up to the pedestal's clearance, longitudinal or lateral, and from there on the stop acts. It
+    cannot bear tension. The wheelset spins freely.
     """
 
     name: str

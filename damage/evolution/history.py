@@ -99,7 +99,7 @@ def write_step(directory: Path, number: int, step: WearStep) -> None:
 
 
 def read_history(directory: Path | str) -> WearHistory:
-    """All steps in a directory, in order; none where there are none.
+    """All steps in a directory, in order; an empty history for an empty directory.
 
     Raises
     ------

@@ -2,7 +2,7 @@
 
 A profile evolves by the wear of one wheel, or by the mean of a group of wheels:
 
-``"wheel"``       every wheel by itself
+``"wheel"``       every wheel separately
 ``"wheelset"``    the two wheels of a wheelset: as many curves to the left as to the right
 ``"directions"``  the wheels of one side at equal distances from the leading and from the trailing end: runs
                   in both directions over the same curves, where the last wheelset leads on the way back and

@@ -1,6 +1,6 @@
 """A step of wear: the profile moved into the wheel by the wear depth, along its normals.
 
-The wear of the step is smoothed, not the profile: a profile without wear stays the same to the last digit,
+The wear of the step is smoothed, not the profile: a profile without wear is unchanged to the last digit,
 however many steps are made, and a flange does not lose its radii to smoothing. The rule is that of measured
 profiles (`hh_exudyn.contact.profiles.smoothing`), applied to the depth over the arc: waves shorter than a
 local cut-off of up to 10 mm (about a patch) are removed, as far as the depth changes by no more than a share
@@ -54,8 +54,8 @@ def worn_profile(
     Raises
     ------
     ValueError
-        A rail, a number out of its range, or wear that leaves no valid profile: it folds over (too much at
-        once, or too steeply cut off), or no longer covers what contact needs.
+        A rail, a number out of its range, or wear that leaves no valid profile: it folds over (too deep or
+        too abrupt), or no longer covers the range of contact.
     """
     depth = step_depth(wheel, wear, distance, smoothing)
     s = arc_length(wheel.y, wheel.z)

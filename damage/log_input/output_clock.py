@@ -108,7 +108,7 @@ def output_clock(source: ContactSource, skip_bad_rows: bool = False) -> OutputCl
     source
         The contact log.
     skip_bad_rows
-        Bad rows do not count among the rows at a time; the time itself stays, unless it is NaN or infinite.
+        Bad rows do not count among the rows at a time; the time itself counts, unless it is NaN or infinite.
 
     Raises
     ------

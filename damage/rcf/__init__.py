@@ -4,7 +4,7 @@
 `surface_index`      surface fatigue index of a whole patch
 `local`              stress and fatigue index over a patch, largest per strip
 `subsurface`         fatigue below the surface: FI_sub, FI_def
-`number`             RCF number: revolutions beyond shakedown, place by place in patch and profile
+`number`             RCF number: revolutions beyond shakedown, by place in patch and profile
 `burstow`            correction of that number for wear
 `miner`              Kabo's life of a fatigue index, for Miner's sum
 `crack`              cycles to failure, Miner's sum, size of cracks

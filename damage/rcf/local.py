@@ -123,7 +123,7 @@ def strip_indices(
 
 @kernel
 def strip_fatigue(fields: Fields, shear_yield: float, friction: float, fatigue_index: FloatArray) -> None:
-    """Largest FI_local of every strip as far as it is above zero, else zero (kernel, trusts its input).
+    """Largest FI_local of every strip, zero where none is above zero (kernel, trusts its input).
 
     A faster `strip_indices` for the loop over a log: where friction times the pressure in a strip's
     middle, its largest, is below k, no cell has an index above zero.

@@ -55,7 +55,7 @@ class CountWork(NamedTuple):
 
     along: FloatArray  # (nx,) middles of the cells along a strip over its half length [-]
     cells: FloatArray  # (2, nx * COLUMNS) of two strips, cell by cell
-    sums: FloatArray  # (nx + 1, PAIR) sums of the cells behind each edge between them
+    sums: FloatArray  # (nx + 1, PAIR) running sums of the cells up to each edge, from the trailing end
     bins: FloatArray  # (pairs, 2, X, COLUMNS) sums of the cells in each bin along, with parts of cells
     touched: NDArray[np.int64]  # (pairs, 2) first bin of each pair, and one beyond the last
 

@@ -2,7 +2,7 @@
 
 Ekberg, Kabo and Andersson (2002); Hossein-Nia (2018), equation 3.16 and figures 3-14 to 3-17. Both indices
 measure how far the working point (Q/P, p0/k) lies beyond the surface branch p0/k = 1/(Q/P) of the shakedown
-diagram of full slip: along the axis of Q/P, or the shortest way.
+diagram of full slip: along the axis of Q/P, or by the shortest distance.
 """
 
 import math

@@ -82,7 +82,7 @@ def _around(points: NDArray[np.float64], chosen: tuple[int, ...], freedom: int, 
 
 
 def _centre(points: NDArray[np.float64], freedom: int) -> NDArray[np.float64] | None:
-    """Centre of the smallest circle through one to three points; None if there is none of that freedom."""
+    """Centre of the smallest circle through one to three points; None if that freedom allows none."""
     if freedom == FIXED:
         return np.zeros(2)
     if len(points) == 1:

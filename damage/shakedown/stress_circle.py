@@ -2,8 +2,8 @@
 
 The stresses of a point below a rolling contact follow the trajectory of its depth. In the plane of
 ((sigma_x - sigma_z)/(2 p0), tau_xz/p0) yield in the plane of rolling (Tresca) is the circle of radius k/p0
-(equation 3.12 of Hossein-Nia, KTH 2018; K.L. Johnson, Wear 190, 1995). A load stays elastic for ever if the
-trajectories of ALL depths fit into one such circle, whose centre is minus the residual stress:
+(equation 3.12 of Hossein-Nia, KTH 2018; K.L. Johnson, Wear 190, 1995). The response to a load remains elastic
+if the trajectories of ALL depths fit into one such circle, whose centre is minus the residual stress:
 
 =============  ====================================================================================
 ``elastic``    no residual stress, the centre is the origin: the load of first yield

@@ -2,7 +2,7 @@
 
 On the flange the lateral coordinate is a poor measure: a bin of 1 mm covers 2 mm of a surface at 60 degrees.
 So where the wheel profile is given, the bins lie along its arc, from 0 at the running circle, positive
-towards the flange; depth is normal to the surface either way.
+towards the flange; depth is normal to the surface in both cases.
 """
 
 import math

@@ -16,7 +16,7 @@ from hh_exudyn.log.store import Run
 from vehicles.description import Vehicle
 
 CAR_BODY, WHEELSET = "car_body", "wheelset"
-FRAMES = ("side_frame", "bogie_frame")  # kinds; motors on wheelsets are none of them
+FRAMES = ("side_frame", "bogie_frame")  # kinds of bodies; motors on wheelsets are left out
 _COLUMNS = ("time", "body", "s", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz")
 
 

@@ -15,7 +15,7 @@ class CaseError(ValueError):
 
 
 def closest(word: str, known: Iterable[str]) -> str:
-    """``; did you mean "..."?`` with the nearest known word, or nothing where none is near."""
+    """``; did you mean "..."?`` with the nearest known word; empty if none is near."""
     near = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
     return f'; did you mean "{near[0]}"?' if near else ""
 

@@ -138,7 +138,7 @@ def _simulated(case: "Case", folder: Path) -> "Run":
     except (SimulationStopped, NoEquilibrium) as error:
         output.fail(output.STOPPED, f"{error}; {output.log_place(folder)}")
     except (ValueError, OSError) as error:
-        if not folder.exists():  # nothing was begun: the case cannot be built, or the folder not be made
+        if not folder.exists():  # nothing was begun: the case or the folder cannot be made
             raise inputs.BadInput(str(error)) from None
         raise
 

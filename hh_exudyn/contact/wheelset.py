@@ -149,8 +149,8 @@ def wheel_on_rail(
     Raises
     ------
     ValueError
-        A number out of its range, an unknown name, or where no height carries the load: the wheel lies
-        beside its rail, or friction on a steep flange takes the load.
+        A number out of its range, an unknown name, or a load that no height carries: the wheel is not
+        above its rail, or friction on a steep flange carries the load.
     """
     if side not in (LEFT, RIGHT):
         raise ValueError(f"side = {side}, allowed {LEFT} (left) or {RIGHT} (right)")

@@ -22,7 +22,7 @@ def hunting_figure(
     ----------
     title : above the figure
     speeds, amplitudes, from_cycle : of every run [m/s], [m]: `multibody.linear.nonlinear_speed.HuntingRun`
-    settled : amplitude below which hunting has died out [m]
+    settled : amplitude below which hunting has decayed [m]
     """
     figure = Figure(figsize=_SIZE, layout="constrained")
     axes = figure.subplots()

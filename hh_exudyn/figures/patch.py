@@ -184,7 +184,7 @@ def _draw_border(axes: Axes, field: TractionField, slip: FloatArray, colour: str
 
 
 def _draw_arrows(axes: Axes, field: TractionField, longest: float) -> None:
-    """Traction on the wheel as arrows, as long as it is large."""
+    """Traction on the wheel as arrows, with lengths proportional to it."""
     strips, cells = field.q_x.shape
     across = np.linspace(0, strips - 1, min(strips, _ARROWS) + 2).round().astype(int)[1:-1]
     along = np.linspace(0, cells - 1, min(cells, _ARROWS) + 2).round().astype(int)[1:-1]
@@ -246,7 +246,7 @@ def _draw_forces(figure: SubFigure, load: PatchLoad, forces: Mapping[str, CreepF
 
 
 def _write_value(axes: Axes, place: float, value: float) -> None:
-    """A number behind the end of its bar; in the end of a bar that was cut."""
+    """A number beyond the end of its bar; inside the end of a shortened bar."""
     value = round(value, 3) + 0.0  # no minus sign before a zero
     cut = abs(value) > _LONGEST_BAR
     to_the_right = (value >= 0.0) != cut

@@ -133,7 +133,7 @@ def positions(name: str, columns: tuple[Column, ...]) -> Any:
     return IntEnum(name, {column.name: k for k, column in enumerate(columns)}, module=__name__)
 
 
-# Any: the members follow from the table, where type checkers cannot see them
+# Any: type checkers cannot derive the members from the table
 ContactColumn: Any = positions("ContactColumn", CONTACT)
 MotionColumn: Any = positions("MotionColumn", MOTION)
 EnergyColumn: Any = positions("EnergyColumn", ENERGY)

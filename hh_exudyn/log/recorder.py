@@ -251,7 +251,7 @@ class Recorder:
         if column.kind == "float64":
             return pyarrow.array(np.ascontiguousarray(values))
         if not np.array_equal(values, np.rint(values)):  # NaN is unequal to itself
-            raise ValueError(f"log {log}: column {column.name} holds values that are no whole numbers")
+            raise ValueError(f"log {log}: column {column.name} holds values that are not whole numbers")
         codes = values.astype(np.int32)
         if column.kind == "int32":
             return pyarrow.array(codes)

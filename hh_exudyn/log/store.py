@@ -49,7 +49,7 @@ class Run:
         Raises
         ------
         FileNotFoundError
-            Neither is there.
+            Neither exists.
         """
         path = self.directory / CASE_FILE
         if path.is_file():

@@ -83,7 +83,7 @@ def moving_frame(alignment: Alignment, s: FloatArray) -> Poses:
 
 
 def upright(turn: Rotation) -> Rotation:
-    """The part about the vertical of rotations: their x axis seen in plan."""
+    """Rotations about the vertical with the same direction of the x axis in plan."""
     ahead = turn.apply((1.0, 0.0, 0.0))
     heading = np.arctan2(ahead[:, 1], ahead[:, 0])
     return Rotation.from_rotvec(np.outer(heading, (0.0, 0.0, 1.0)))

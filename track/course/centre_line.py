@@ -115,7 +115,7 @@ def fit_centre_line(
         )
         grades = tuple(Grade(d, a, b) for d, a, b in _cells(length, slope)) if points.shape[1] == 3 else ()
     except ValueError as error:
-        raise ValueError(f"{error}: the points are no railway, or wavelength is too short for them") from None
+        raise ValueError(f"{error}: the points are not of a railway, or wavelength is too short") from None
     x, y, heading = (float(value) for value in chain[0, :3])
     alignment = Alignment(sections, grades=grades)
     return CentreLine(alignment, (x, y, float(z[0])), heading, s, deviation, height_deviation)

@@ -141,12 +141,12 @@ class Irregularity:
         return float(np.std(values if wavelengths is None else band_pass(values, self.step, wavelengths)))
 
     def scaled(self, deviations: dict[str, float], wavelengths: tuple[float, float] | None = None) -> Self:
-        """Signals multiplied so that they have the wanted standard deviations.
+        """Signals scaled to given standard deviations.
 
         Parameters
         ----------
         deviations : dict
-            Wanted standard deviation [m] by signal; signals that are not named are unchanged. 0 removes one.
+            Standard deviation [m] by signal; signals that are not named are unchanged. 0 removes one.
         wavelengths : (float, float) or None
             Band [m] in which the standard deviation is taken; the whole signal is scaled.
 

@@ -132,7 +132,7 @@ def track_quality(track: Irregularity, speed: float, section_length: float = SEC
     Parameters
     ----------
     track : Irregularity
-        At least as long as a section; what remains behind the last whole one is left out.
+        At least as long as a section; the remainder after the last whole section is omitted.
     speed : float
         [m/s], up to 300 km/h.
     section_length : float

@@ -89,7 +89,7 @@ def load_sections(
     vehicle : a name of ``[speed_km_h]`` in the line's file
     quality : one of `CLASSES` for all sections instead of the distributions of the line: fewer sections
     wear : wear state of the rails, "new" for the nominal profiles
-    returning : the line run the other way, where left-hand curves are right-hand ones
+    returning : the opposite direction of running, in which left-hand curves are right-hand ones
 
     Returns
     -------

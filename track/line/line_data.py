@@ -47,7 +47,7 @@ class Line:
     """A line's statistics, with the source of every table of its file.
 
     `line_quality` is the distribution of `track.irregularity.quality.CLASSES` over the whole line by another
-    measurement, None where there is none; nothing is computed from it.
+    measurement, or None; it does not enter any computation.
     """
 
     name: str

@@ -72,7 +72,7 @@ def single_valued(y: FloatArray, z: FloatArray, anchor: int) -> tuple[IndexArray
     indices : IndexArray
         Indices, y strictly increasing.
     loops, overhangs : int
-        How many points were left out inside, and cut off at the ends.
+        Numbers of points left out inside, and removed at the ends.
     """
     length = arc_length(y, z)
     after, loops_after, cut_after = _outwards(y[anchor:], length[anchor:])

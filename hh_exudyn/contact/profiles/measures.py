@@ -8,7 +8,7 @@ of 70, 10 and 2 mm are MiniProf's default too, greenwood.dk/miniprofstandardcalc
 * qR: horizontal distance between the points of the face 10 mm below the tread and 2 mm above the flange tip.
 
 A new S1002 has Sh = 28 mm and Sd = 32.5 mm (UIC 510-2, EN 13715); its qR of 10.794 mm follows from the
-sections of the drawing (no published figure at hand).
+sections of the drawing (no published value is known).
 """
 
 import math
