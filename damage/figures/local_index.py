@@ -20,7 +20,7 @@ _CURVES = (
     ("local, FaStrip", "#8c2d04", "-"),
     ("local, FASTSIM", "#2b5c8a", "-."),
 )
-_LOWEST = -0.2  # what lies far below shakedown is of no interest [-]
+_LOWEST = -0.2  # lower end of the axis: far below shakedown nothing is of interest [-]
 
 
 def local_index_figure(
@@ -33,8 +33,8 @@ def local_index_figure(
 ) -> Figure:
     """Fatigue index over the lateral position on the wheel at one time, a panel per wheel.
 
-    The largest value of every strip, as in figure 3-20 of Hossein-Nia (2018). The global index is spread over
-    the patch as the pressure is. Of patches side by side each is drawn by itself.
+    The largest value of every strip, as in figure 3-20 of Hossein-Nia (2018). The global index is distributed
+    over the patch like the pressure. Patches side by side are drawn separately.
 
     Close to saturation the order is global, FaStrip, FASTSIM, as in the thesis: FASTSIM's parabola is the
     highest in the middle of the patch (and fades first at its sides). Far from it FASTSIM, whose traction

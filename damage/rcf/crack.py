@@ -6,9 +6,9 @@ Two relations between an index and the cycles to failure, both a power Nf = coef
          2018, 3.18), so D = 1/Nf = (FI/1.78)^4 = FI^4/10.04 a revolution, which equations 3.19 and 3.20
          round to FI^4/10.
 `DIRKS`  Nf = 9.6e5 sigma^-1.06 with sigma in MPa (3.24), here the stress index. Its numbers were fitted to
-         cracks of RAILS (five years in a curve of the Dutch railways), and Dirks had to fit one of them anew
-         for wheels. On wheels it ranks places; for lives fit it (`fitted_relation`). The fit is to one index:
-         with the energy index (3.34) in its place it needs numbers of its own.
+         cracks of RAILS (five years in a curve of the Dutch railways), and Dirks fitted one of them anew for
+         wheels. On wheels it ranks places; for lives it must be fitted (`fitted_relation`). The numbers hold
+         for this index; for the energy index (3.34) others are needed.
 
 Damage adds up by Miner's rule, lateral position by lateral position, and is 1 at failure. An index of zero or
 below does no damage.
@@ -38,9 +38,9 @@ class LifeRelation:
     Attributes
     ----------
     name
-        Of the relation.
+        Name of the relation.
     index
-        The index that it takes: "fatigue_index" (FI [-]) or "stress_index" (SI [Pa]), as in `LocalFatigue`.
+        Its index: "fatigue_index" (FI [-]) or "stress_index" (SI [Pa]), as in `LocalFatigue`.
     unit
         Unit of the index that the coefficient is for: 1 for FI, 1e6 Pa for SI in MPa.
     coefficient
@@ -48,7 +48,7 @@ class LifeRelation:
     exponent
         [-], < 0.
     calibrated_for
-        Bodies that the numbers were measured on.
+        Bodies of the measurements.
     source
         Publication of the numbers.
 
@@ -125,9 +125,9 @@ def fitted_relation(
     name, index, unit, calibrated_for, source
         As in `LifeRelation`.
     measured
-        (n,) index that the places were loaded with, > 0.
+        (n,) index at the measured places, > 0.
     cycles
-        (n,) cycles until they failed, > 0.
+        (n,) their cycles to failure, > 0.
 
     Raises
     ------
@@ -177,7 +177,7 @@ class MinerSum:
 
     @property
     def revolutions_to_failure(self) -> FloatArray:
-        """(B,) revolutions at which the sum reaches 1 if all goes on as it did [-]."""
+        """(B,) revolutions at which the sum reaches 1 at the same rate of damage [-]."""
         with np.errstate(divide="ignore"):
             life: FloatArray = self.revolutions / self.damage
         return life if self.revolutions > 0.0 else np.full(self.damage.size, np.inf)
@@ -203,7 +203,7 @@ def miner_sum(
     relation: LifeRelation = KABO,
     grid: LateralGrid = LateralGrid(),  # noqa: B008 (frozen)
 ) -> MinerSum:
-    """Damage that contact states do to the profile of one wheel, strip by strip (3.20).
+    """Miner's sum of contact states over the profile of one wheel, strip by strip (3.20).
 
     Parameters
     ----------
@@ -216,7 +216,7 @@ def miner_sum(
     stretch
         Length on the grid over length across the patch: cos(contact angle) in the lateral coordinate [-].
     revolutions
-        Revolutions that each state stands for, V dt / (2 pi r) [-], >= 0.
+        Revolutions in the interval of each state, V dt / (2 pi r) [-], >= 0.
     wheel_revolutions
         Revolutions of the wheel in all (states of patches side by side share theirs) [-], >= 0.
     relation
@@ -278,7 +278,7 @@ class CrackShape:
     failure_surface_length
         Mouth rho_f of a crack at failure [m].
     failure_damage
-        Damage D_f that belongs to it [-]; 1 by Miner.
+        Damage D_f at failure [-]; 1 by Miner.
     mouth_ratio
         r = 2 rho/L [-].
     angle
@@ -304,6 +304,15 @@ class CrackShape:
     @classmethod
     def from_crack(cls, surface_length: float, length: float, depth: float, damage: float) -> "CrackShape":
         """The shape of a measured crack (mouth, length and depth [m]) at its computed damage [-].
+
+        Parameters
+        ----------
+        surface_length
+            Mouth of the crack [m].
+        length, depth
+            Along the crack and normal to the surface [m].
+        damage
+            Miner's sum at the place of the crack [-].
 
         Raises
         ------

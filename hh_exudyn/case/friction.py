@@ -1,7 +1,7 @@
 """The table ``[friction]`` of a case file, in place of one number for all wheels. See `hh_exudyn.case.case`.
 
-It says the weather or the coefficients of tread, gauge corner and flange, what treats them, how friction
-falls with slip, and from where on the track any of this is different::
+Weather or coefficients of tread, gauge corner and flange, treatments, falling friction, and sections of the
+track with other values::
 
     [friction]
     climate = "cold_dry"
@@ -52,9 +52,9 @@ _WHEELSETS = "a list of whole numbers, 1 the leading wheelset"
 
 
 class SurfaceCase(CaseTable):
-    """Friction of a surface: a climate, or a coefficient each of tread, gauge corner and flange; treatments.
+    """Friction of a surface: a climate, or coefficients of tread, gauge corner and flange; treatments.
 
-    Keys that are left out are those of the table around it. Climates and treatments: `track.friction.known`.
+    Missing keys are those of the enclosing table. Climates and treatments: `track.friction.known`.
     """
 
     climate: _Climate | None = None
@@ -65,7 +65,7 @@ class SurfaceCase(CaseTable):
 
     @model_validator(mode="after")
     def _check_one_way(self) -> Self:
-        """A climate or three numbers, not both, not fewer."""
+        """A climate or all three coefficients, not both."""
         given = [name for name in ZONES if getattr(self, name) is not None]
         if given and self.climate is not None:
             raise ValueError(f'climate = "{self.climate}" and {given[0]}: allowed is one or the other')
@@ -75,7 +75,7 @@ class SurfaceCase(CaseTable):
         return self
 
     def untreated(self) -> Zones | None:
-        """The table's own untreated surface; None where it states none."""
+        """The untreated surface of this table; None without one."""
         if self.climate is not None:
             return climate(self.climate)
         if self.tread is None or self.gauge_corner is None or self.flange is None:
@@ -84,7 +84,7 @@ class SurfaceCase(CaseTable):
 
 
 class BothRailsCase(SurfaceCase):
-    """A surface on both rails, and what is different on the left or the right one."""
+    """A surface on both rails, with other values on the left or the right one."""
 
     left: SurfaceCase | None = None
     right: SurfaceCase | None = None
@@ -95,17 +95,17 @@ class BothRailsCase(SurfaceCase):
 
 
 class FrictionSectionCase(BothRailsCase):
-    """From `start_m` on friction is different, up to the next section."""
+    """Friction from `start_m` to the next section."""
 
     start_m: float = number("m", 0, 1_000_000)
 
 
 class FrictionCase(BothRailsCase):
-    """Friction that is not the same everywhere.
+    """Friction by place on the track, zone of the wheel and slip speed.
 
-    `falling`: a characteristic of `track.friction.known`, which falls from the coefficients, those at rest;
-    without it friction is the same at any slip. `lubricated_wheelsets` bring their own `lubrication`, a
-    treatment, wherever they are. One section changes into the next over `ramp_m`.
+    `falling`: a characteristic of `track.friction.known`, from the coefficients at rest downwards; without it
+    friction does not depend on slip. `lubricated_wheelsets` have the treatment `lubrication` everywhere. One
+    section changes into the next over `ramp_m`.
     """
 
     falling: _Falling | None = None
@@ -157,12 +157,12 @@ class FrictionCase(BothRailsCase):
         )
 
     def table(self, wheelsets: int) -> FrictionTable:
-        """The form that the contact of a vehicle with that many wheelsets reads.
+        """The table for the contact kernels, for a vehicle with that many wheelsets.
 
         Raises
         ------
         ValueError
-            A wheelset is to be lubricated that the vehicle does not have.
+            The vehicle does not have a lubricated wheelset.
         """
         for i, wheelset in enumerate(self.lubricated_wheelsets):
             if not 1 <= wheelset <= wheelsets:
@@ -175,7 +175,7 @@ class FrictionCase(BothRailsCase):
 
 
 def _zones(tables: Iterable[SurfaceCase | None]) -> Zones:
-    """Friction of one rail: that of the first table that states any."""
+    """Friction of one rail: that of the first table with a surface."""
     said = [table for table in tables if table is not None]
     zones = next((zones for table in said if (zones := table.untreated()) is not None), None)
     if zones is None:

@@ -13,7 +13,15 @@ from track.rails import Rails
 
 
 def profile_in_file(reader: Callable[[Path], Profile], path: str) -> Profile:
-    """Read a profile; a file that may not be read is bad input too."""
+    """Read a profile; an unreadable file raises ValueError as well.
+
+    Parameters
+    ----------
+    reader : callable
+        `read_wheel_profile` or `read_rail_profile`.
+    path : str
+        Of the profile file.
+    """
     try:
         return reader(Path(path))
     except OSError as error:
@@ -33,5 +41,13 @@ RailName = Annotated[str, AfterValidator(_check_rail)]
 
 
 def sided(rails: Rails, both: str | None, left: str | None, right: str | None) -> Rails:
-    """`rails` with what is given for both sides, and for each."""
+    """`rails` with the profiles given for both sides and for each side in their place.
+
+    Parameters
+    ----------
+    rails : Rails
+        The default rails.
+    both, left, right : str or None
+        Names or paths for both sides, the left and the right one; None for the default.
+    """
     return replace(rails, left=left or both or rails.left, right=right or both or rails.right)

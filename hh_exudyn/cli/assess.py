@@ -1,7 +1,7 @@
 """The command ``assess``: a run after UIC 518 / EN 14363. It computes nothing itself.
 
-Kilonewtons and millimetres exist here and nowhere deeper. Everything heavy is imported inside the command, so
-that ``--help`` answers at once.
+Conversion to kilonewtons and millimetres is here; the packages below use SI. Large packages are imported
+inside the command, so that ``--help`` is fast.
 """
 
 from pathlib import Path

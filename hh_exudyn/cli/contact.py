@@ -1,7 +1,7 @@
 """The commands about one contact: ``patch``, ``validate``, ``conicity``. They compute nothing themselves.
 
-Millimetres, kilonewtons and per mille exist here and nowhere deeper. Everything heavy is imported inside the
-commands, so that ``--help`` answers at once.
+Conversion to millimetres, kilonewtons and per mille is here; the packages below use SI. Large packages are
+imported inside the commands, so that ``--help`` is fast.
 """
 
 import math
@@ -245,7 +245,7 @@ def _wheel(name: str) -> "Profile":
 
 
 def _rail(name: str, inclination: str | None) -> "Profile":
-    """A standard rail by its name, inclined, or one from a file, which lies as it was measured."""
+    """A standard rail by its name, inclined, or a measured one from a file, with its own inclination."""
     from hh_exudyn.contact.profile import RAIL_PROFILES, rail_profile, read_rail_profile
 
     if name in RAIL_PROFILES:
@@ -260,7 +260,7 @@ def _rail(name: str, inclination: str | None) -> "Profile":
 def _from_file(
     argument: str, name: str, reader: Callable[[str], "Profile"], known: tuple[str, ...]
 ) -> "Profile":
-    """The profile in a file; a file that is not there or no profile is bad input."""
+    """The profile in a file; raises `BadInput` for a missing file or one that is not a profile."""
     if not Path(name).is_file():
         raise inputs.BadInput(
             f"{argument} {name}: no file and no standard profile, known: {', '.join(known)}"

@@ -1,7 +1,7 @@
 """The command ``damage``: wear and fatigue of a run's wheels. It computes nothing itself.
 
-Millimetres and kilometres exist here and nowhere deeper. Everything heavy is imported inside the functions:
-``--help`` answers at once.
+Conversion to millimetres and kilometres is here; the packages below use SI. Large packages are imported
+inside the functions, so that ``--help`` is fast.
 """
 
 from pathlib import Path
@@ -108,7 +108,7 @@ def show_damage(
     run
         The run.
     folder
-        Where tables and figures go.
+        Folder for tables and figures.
     distance_km
         Also give the damage after this distance; None for none.
     skip_bad_rows

@@ -1,6 +1,6 @@
 """The commands ``modes`` and ``critical-speed``, linear and nonlinear. They compute nothing themselves.
 
-Everything heavy is imported inside the commands, so that ``--help`` answers at once.
+Large packages are imported inside the commands, so that ``--help`` is fast.
 """
 
 import math
@@ -18,12 +18,12 @@ if TYPE_CHECKING:
     from hh_exudyn.multibody.linear.nonlinear_speed import HuntingRun
 
 SLOWEST, FASTEST = 5.0, 500.0  # km/h
-_HIGHEST, _HIGHEST_NONLINEAR = 300.0, 200.0  # km/h, looked at where nothing else is asked
+_HIGHEST, _HIGHEST_NONLINEAR = 300.0, 200.0  # km/h, default ends of the search
 _LOCUS_SPEEDS = 25  # of the figure
 
 
 def register(app: typer.Typer) -> None:
-    """Give the commands of this file to the program."""
+    """Add the commands of this file to the program."""
     app.command()(modes)
     app.command(name="critical-speed")(critical_speed)
 
@@ -39,7 +39,7 @@ def modes(
     ] = None,
     mode: Annotated[int, typer.Option(metavar="N", help="Which mode, by its number in the table.")] = 1,
 ) -> None:
-    """Oscillating modes of a case's vehicle on straight track: frequency, damping, what moves most."""
+    """Oscillating modes of a case's vehicle on straight track: frequency, damping, largest motion."""
     with output.errors_in_one_line():
         inputs.require_new_file(playback, "--playback", inputs.RECORDINGS)
         inputs.check_range("--speed-km-h", speed_km_h, SLOWEST, FASTEST, "km/h")
@@ -152,7 +152,7 @@ def critical_speed(
 def _by_motion(
     vehicle: "LinearVehicle", low: float, high: float, step: float, resolution: float, figure: Path | None
 ) -> None:
-    """Print every run, the nonlinear critical speed and what it rests on; speeds [km/h]."""
+    """Print every run, the nonlinear critical speed and the conditions of the search; speeds [km/h]."""
     from hh_exudyn.multibody.equilibrium import NoEquilibrium
     from hh_exudyn.multibody.linear import nonlinear_speed
 
@@ -207,7 +207,7 @@ def _by_motion(
 
 
 class _RunReports:
-    """A line for every run that is done, and a bar for the one that goes on, with the time still needed."""
+    """A line for every finished run, and a bar for the current one, with the remaining time."""
 
     def __init__(self, bar: Progress) -> None:
         self._bar = bar
@@ -216,7 +216,7 @@ class _RunReports:
         self._runs = 0
 
     def report(self, run: "HuntingRun", more: int) -> None:
-        """Print a run and how long those may take that follow at most."""
+        """Print a run and the longest time that at most `more` further runs may take."""
         self._runs += 1
         left = more * (clock.perf_counter() - self._begun) / self._runs
         wheels = "a wheel left its rail"

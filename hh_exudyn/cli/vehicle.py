@@ -1,6 +1,6 @@
 """The commands about vehicles: ``vehicle list``, ``show``, ``compare``. They compute nothing themselves.
 
-Everything heavy is imported inside the commands, so that ``--help`` answers at once.
+Large packages are imported inside the commands, so that ``--help`` is fast.
 """
 
 import math
@@ -98,7 +98,7 @@ def compare(first: Source, second: Source) -> None:
 
 
 def _variant(source: str) -> "Variant":
-    """The vehicle of a name or file; anything else is bad input."""
+    """The vehicle of a name or file; raises `BadInput` for anything else."""
     from vehicles.variants import find_variant
 
     with inputs.refused_as_bad_input():
@@ -204,7 +204,7 @@ def _axle_table(described: "Vehicle") -> Table:
     )
     try:
         loads = axle_loads(described)
-    except ValueError:  # a bench vehicle may hang on its train alone
+    except ValueError:  # a reference vehicle may be held by its train alone
         loads = [math.nan] * len(described.wheelsets)
     for number, (wheelset, load) in enumerate(zip(described.wheelsets, loads, strict=True), start=1):
         table.add_row(

@@ -1,6 +1,6 @@
 """Figures of contact geometry, like Fig. 1-12 to 1-14 of the thesis (Hossein-Nia, KTH 2018).
 
-Each function draws into axes that the caller made, in millimetres.
+Each function draws into given axes, in millimetres.
 """
 
 from collections.abc import Mapping

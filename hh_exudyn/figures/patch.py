@@ -24,7 +24,7 @@ _TRACTION_COLOURS, _SLIP_COLOURS = "viridis", "YlOrRd"
 _X_COLOUR, _Y_COLOUR, _MOMENT_COLOUR = "#2b5c8a", "#c2571a", "#7a7a7a"
 _ARROWS = 9  # arrows along and across the patch
 _LONGEST_ARROW, _LONGEST_MAP, _STRIP_HEIGHT = 0.3, 2.2, 1.7  # inch
-_SHOWN_SLIP = 98.0  # percentile of the slip velocity that the colours end at: it peaks at the trailing edge
+_SHOWN_SLIP = 98.0  # percentile of the slip velocity at the end of the colours: it peaks at the trailing edge
 _LONGEST_BAR = 1.25  # friction * normal force; the linear theory has no limit
 _MARGIN = 1.12
 
@@ -151,7 +151,7 @@ def _draw_border(axes: Axes, field: TractionField, slip: FloatArray, colour: str
 
 
 def _draw_arrows(axes: Axes, field: TractionField, longest: float) -> None:
-    """Traction on the wheel as arrows, as long as it is large."""
+    """Traction on the wheel as arrows, with lengths proportional to it."""
     strips, cells = field.q_x.shape
     across = np.linspace(0, strips - 1, min(strips, _ARROWS) + 2).round().astype(int)[1:-1]
     along = np.linspace(0, cells - 1, min(cells, _ARROWS) + 2).round().astype(int)[1:-1]
@@ -213,7 +213,7 @@ def _draw_forces(figure: SubFigure, load: PatchLoad, forces: Mapping[str, CreepF
 
 
 def _write_value(axes: Axes, place: float, value: float) -> None:
-    """A number behind the end of its bar; in the end of a bar that was cut."""
+    """A number beyond the end of its bar; inside the end of a shortened bar."""
     value = round(value, 3) + 0.0  # no minus sign before a zero
     cut = abs(value) > _LONGEST_BAR
     to_the_right = (value >= 0.0) != cut

@@ -1,7 +1,7 @@
 """A vehicle to scale, side and top view, from the description of a run.
 
-Wheels have their true radius; couplings are marks at their points, rods lines between theirs; bodies are the
-boxes of `vehicles.outline`.
+Wheels have their true radius; couplings are marks at their points, rods lines between their ends; bodies are
+the boxes of `vehicles.outline`.
 """
 
 import math

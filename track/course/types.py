@@ -1,4 +1,4 @@
-"""The alignment as the kernels take it: the table of nodes and its columns."""
+"""The alignment for the kernels: the table of nodes and its columns."""
 
 from enum import IntEnum
 from typing import NamedTuple
@@ -49,7 +49,7 @@ def _column(node: Node, meaning: str) -> property:
 
 
 class _Nodes(NamedTuple):
-    """What the kernels read of an `AlignmentTable`."""
+    """The fields of an `AlignmentTable` for the kernels."""
 
     start: float  # arc length of the first node [m], minus the lead-in
     end: float  # of the last node [m]
@@ -61,8 +61,8 @@ class _Nodes(NamedTuple):
 class AlignmentTable(_Nodes):
     """The centre line at nodes no farther apart than `step`; every section boundary is a node.
 
-    One array holds all nodes: a row is read at once, and few arrays cross the Python border fast. `cell`
-    finds the node in front of s without a search. The columns by name are for Python only.
+    One array for all columns: a row is contiguous, and few arrays make calls from Python fast. `cell` gives
+    the node before s without a search. The properties are for Python only.
     """
 
     s = _column(Node.S, "Arc lengths of the nodes [m].")

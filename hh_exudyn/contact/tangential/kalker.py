@@ -3,8 +3,8 @@
 Table E.3 of J.J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990 (first in his
 thesis, Delft 1967), interpolated linearly in g = min(a/b, b/a) and by an inverse quadratic polynomial in
 Poisson's ratio; beyond the table his asymptotes for slender ellipses (ibid., appendix E). The asymptotes
-miss the table's last row by up to 5 %, so between g = 0.1 and 0.07 one is blended into the other: a creep
-force must not jump while a patch changes its shape.
+miss the table's last row by up to 5 %, so between g = 0.1 and 0.07 one is blended into the other, since
+creep forces must not jump when the shape of a patch changes.
 """
 
 import math
@@ -121,7 +121,7 @@ def coefficients(a_over_b: float, poisson_ratio: float) -> tuple[float, float, f
     weight = (g - _ASYMPTOTE_START) / (_TABLE_END - _ASYMPTOTE_START)
     end = _from_table(_TABLE_END, half, poisson_ratio)
     near = _asymptotes(_TABLE_END, a_is_shorter, poisson_ratio)
-    # the asymptote, scaled to the table's last row at its end; the scaling fades
+    # the asymptote, scaled to the table's last row at its end; the scaling decreases to 1
     return (
         far[0] * (1.0 + weight * (end[0] / near[0] - 1.0)),
         far[1] * (1.0 + weight * (end[1] / near[1] - 1.0)),

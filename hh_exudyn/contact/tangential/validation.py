@@ -1,7 +1,7 @@
-"""How far every tangential theory is from the exact solution, as a table.
+"""Errors of every tangential theory against the exact solution, as a table.
 
-The exact forces (185 ellipses) and stress fields (5) lie in ``hh_exudyn/data/validation``; its README tells
-what computed them, the units and the signs. Measures, all relative:
+The exact forces (185 ellipses) and stress fields (5) are in ``hh_exudyn/data/validation``; its README has
+their source, units and signs. Measures, all relative:
 
 * force: length of the difference of the force vectors (F_x, F_y), over friction * normal force;
 * stress: integral of the difference of |q| over the patch, over the integral of the exact |q|; slip the same
@@ -23,7 +23,7 @@ from hh_exudyn.contact.material import Material
 from hh_exudyn.contact.tangential.api import PatchLoad, cell_areas, creep_force, traction_field
 from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES
 
-CELLS = (50, 50)  # cells along and strips across that the theories are run with
+CELLS = (50, 50)  # cells along and strips across, of the theories
 _DATA = files("hh_exudyn") / "data" / "validation"
 
 
@@ -81,9 +81,9 @@ class TheoryErrors:
     ----------
     theory : str
     cases : str
-        Which of the exact cases the row is about.
+        The exact cases of the row, in words.
     forces, fields : int
-        How many forces and fields were compared.
+        Numbers of the forces and fields compared.
     force_mean, force_95, force_max : float
         Force error over friction * normal force: mean, 95th percentile, greatest.
     stress_mean, stress_worst, slip_mean, slip_worst, peak_mean, peak_worst : float or None
@@ -138,7 +138,17 @@ def exact_fields() -> list[ExactField]:
 
 
 def force_error(theory: str, exact: ExactForce, cells: tuple[int, int] = CELLS) -> float:
-    """Distance of a theory's force vector from the exact one, over friction * normal force [-]."""
+    """Distance of a theory's force vector from the exact one, over friction * normal force [-].
+
+    Parameters
+    ----------
+    theory : str
+        One of `THEORIES`.
+    exact : ExactForce
+        The exact case.
+    cells : tuple of int
+        Cells along x and strips across y.
+    """
     case = exact.case
     found = creep_force(theory, *case.arguments, case.material, cells)
     limit = case.friction * case.normal_force
@@ -146,7 +156,17 @@ def force_error(theory: str, exact: ExactForce, cells: tuple[int, int] = CELLS) 
 
 
 def field_errors(theory: str, exact: ExactField, cells: tuple[int, int] = CELLS) -> FieldErrors:
-    """Errors of a theory's stress and slip, on the theory's own cells (the exact field is interpolated)."""
+    """Errors of a theory's stress and slip, on the theory's own cells (the exact field is interpolated).
+
+    Parameters
+    ----------
+    theory : str
+        A theory with a field.
+    exact : ExactField
+        The exact field.
+    cells : tuple of int
+        Cells along x and strips across y.
+    """
     case = exact.case
     field = traction_field(theory, *case.arguments, case.material, cells)
     areas = cell_areas(case.a, case.b, cells[1], cells[0])
@@ -189,22 +209,22 @@ def _small(case: RollingCase) -> bool:
 
 _Wanted = tuple[str, Callable[[RollingCase], bool]]
 _ALL: _Wanted = ("all", _any)
-_COMPARED: dict[str, tuple[_Wanted, ...]] = {  # the cases of a theory that is not compared with all alone
-    "carter": (("longitudinal only", _longitudinal),),  # it knows no other creepage
-    "linear": (("force <= 0.1 mu N", _small),),  # it knows no friction limit
-    "strip": (_ALL, ("a/b = 0.2, no spin", _slender)),  # the range that strip theory is made for
+_COMPARED: dict[str, tuple[_Wanted, ...]] = {  # cases of theories that are not compared over all cases only
+    "carter": (("longitudinal only", _longitudinal),),  # it has no other creepage
+    "linear": (("force <= 0.1 mu N", _small),),  # it has no friction limit
+    "strip": (_ALL, ("a/b = 0.2, no spin", _slender)),  # the range of validity of strip theory
     "polach": (_ALL, ("no spin", _no_spin)),
 }
 _ROWS = [(theory, *wanted) for theory in THEORIES for wanted in _COMPARED.get(theory, (_ALL,))]
 
 
 def contact_table(cells: tuple[int, int] = CELLS) -> list[TheoryErrors]:
-    """Errors of every theory over the exact cases that it is meant for, and over all where it takes all.
+    """Errors of every theory over the exact cases of its range, and over all cases where it covers them.
 
     Parameters
     ----------
     cells : tuple of int
-        Cells along x and strips across y that the theories are run with.
+        Cells along x and strips across y.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Couplings that any vehicle may have: axle-box pad, axle box, bushing, rod, bump stop.
+"""General couplings: axle-box pad, axle box, bushing, rod, bump stop.
 
 A law is a kernel of the numbers `p` of its family, the `motion` of body B relative to A, and the `condition`
 of the coupling; it returns force and moment on B in the axes of A, new sliders, and the powers (`family`).
@@ -33,7 +33,7 @@ class PadNumbers(NamedTuple):
 
 @inlined_kernel
 def pad(p: PadNumbers, motion: Motion, condition: Condition) -> Reaction:
-    """Linear pad; the wheelset spins, so roll and yaw are those of its axle direction.
+    """Linear pad; roll and yaw are those of the axle, as the wheelset spins.
 
     Arguments: see the head of this file.
     """
@@ -69,7 +69,7 @@ def shear_friction(
     motion : displacement and rate are read
     stiffness, damping : of the sticking faces in x and y [N/m], [N s/m]
     bound : friction coefficient times load [N]
-    condition : the first two sliders are read; with `settle` the faces stick whatever their load
+    condition : the first two sliders are read; with `settle` the faces stick under any load
 
     Returns
     -------
@@ -146,7 +146,7 @@ class BushingNumbers(NamedTuple):
 
 @inlined_kernel
 def bushing(p: BushingNumbers, motion: Motion, condition: Condition) -> Reaction:
-    """Linear in all six directions, with the preload that it has on the drawing.
+    """Linear in all six directions, with its preload on the drawing.
 
     Arguments: see the head of this file.
     """
@@ -182,7 +182,7 @@ class RodNumbers(NamedTuple):
 
 @inlined_kernel
 def rod(p: RodNumbers, motion: Motion, condition: Condition) -> Reaction:
-    """Along the line from end A to end B, in which force and reaction need no moment to balance.
+    """Force along the line from end A to end B, which balances its reaction without a moment.
 
     Arguments: see the head of this file.
     """

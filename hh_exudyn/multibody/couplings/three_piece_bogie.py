@@ -95,7 +95,7 @@ def _wedge_slopes(wedge: Wedge) -> dict[str, float]:
 
 @inlined_kernel
 def wedge(p: WedgeNumbers, motion: Motion, condition: Condition) -> Reaction:
-    """Wedge on two lines: each goes down with the bolster there, and when that comes towards the column.
+    """Wedge on two lines: each moves down with the bolster, and when the bolster approaches the column.
 
     Its travel follows slope and toe of the faces, its force the slope with the friction of the face; half of
     spring and friction belongs to each line (sliders: compression and lateral of the first, of the second).
@@ -134,7 +134,7 @@ def wedge(p: WedgeNumbers, motion: Motion, condition: Condition) -> Reaction:
             p.tan_slope,
             math.inf if settle else p.friction,
             stick_stiffness,
-            0.0 if settle else stick_damping,  # a wedge that comes up fast would pull, at infinite friction
+            0.0 if settle else stick_damping,  # else a wedge in fast upward motion would pull
         )
         push = column * cos_toe - rub * math.sin(p.toe)  # of the wedge, from the column onto the bolster
         lift = push * p.tan_force
@@ -175,8 +175,8 @@ class PlateNumbers(NamedTuple):
 def plate(p: PlateNumbers, motion: Motion, condition: Condition) -> Reaction:
     """Centre plate: a ring of one-sided contacts, dry friction in shear and yaw, and the rim.
 
-    The bounds of shear (mu N) and yaw (2/3 mu N radius) are independent: a plate that slides in yaw
-    resists shear as if it did not slide, of little effect within the rim's clearance.
+    The bounds of shear (mu N) and yaw (2/3 mu N radius) are independent: sliding in yaw does not
+    reduce the resistance to shear, of little effect within the rim's clearance.
 
     Arguments: see the head of this file.
     """
