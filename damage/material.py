@@ -32,7 +32,9 @@ _PASCAL = {"MPa": 1e6, "HB": 9.80665e6}  # Brinell hardness is in kgf/mm^2
 
 @dataclass(frozen=True)
 class WheelMaterial:
-    """A wheel steel. Unknown strengths are None; a model that needs one raises ValueError.
+    """A wheel steel.
+
+    Unknown strengths are None; a model that needs one raises ValueError.
 
     Attributes
     ----------

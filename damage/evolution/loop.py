@@ -64,7 +64,9 @@ def evolve(
     track: ConicityTrack | None = None,
     progress: Progress | None = None,
 ) -> WearHistory:
-    """The life of a wheel up to a distance, continued from the last step in the directory.
+    """The life of a wheel up to a distance.
+
+    It continues from the last step in the directory.
 
     Parameters
     ----------

@@ -78,10 +78,8 @@ def reprofile(
 
     Parameters
     ----------
-    worn
-        The worn wheel.
-    radius
-        At its running circle [m].
+    worn, radius
+        The worn wheel, and its radius at the running circle [m].
     targets
         The profile to restore; of several, the one with the smallest cut.
     least_flange_thickness

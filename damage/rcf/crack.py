@@ -33,7 +33,9 @@ _UNITS = {"fatigue_index": "-", "stress_index": "Pa"}  # of the indices that a r
 
 @dataclass(frozen=True)
 class LifeRelation:
-    """Cycles to failure Nf = coefficient (index/unit)^exponent.
+    """Relation between a fatigue index and life.
+
+    Cycles to failure Nf = coefficient (index/unit)^exponent.
 
     Attributes
     ----------

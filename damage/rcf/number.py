@@ -65,10 +65,8 @@ def count_work(cells: tuple[int, int], bins_along: int) -> CountWork:
 
     Parameters
     ----------
-    cells
-        Cells of a patch along and across.
-    bins_along
-        Bins along the patch.
+    cells, bins_along
+        Cells of a patch along and across, and bins along it.
     """
     nx, ny = cells
     pairs = (ny + 1) // 2

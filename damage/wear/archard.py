@@ -96,17 +96,7 @@ def read_archard(numbers: FloatArray) -> ArchardValues:
 
 @kernel
 def archard_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
-    """Wear depth on the wheel per revolution, by strip and region of the map: a `LawKernel`.
-
-    Parameters
-    ----------
-    numbers
-        (n,) numbers of the law, `WearLaw.numbers`.
-    solved
-        The solved patch.
-    depth
-        (ny, REGIMES) result [m].
-    """
+    """Wear depth on the wheel per revolution, by strip and region of the map; arguments: `LawKernel`."""
     patch, speed = solved.patch, solved.speed
     pressure, slip_x, slip_y = solved.fields.pressure, solved.fields.slip_x, solved.fields.slip_y
     cells_y, cells_x = pressure.shape

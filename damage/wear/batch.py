@@ -81,7 +81,9 @@ def wear_depths(
     cells: tuple[int, int] = (50, 50),
     material: Material = STEEL,
 ) -> WearDepths:
-    """Wear depths of contact states by a law; the call is the same for every law.
+    """Wear depths of contact states by a law.
+
+    The call is the same for every law.
 
     Parameters
     ----------

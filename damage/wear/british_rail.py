@@ -61,17 +61,7 @@ def british_rail_volume(energy: float, rolling_radius: float, rate: Rate) -> tup
 
 @kernel
 def british_rail_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
-    """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`.
-
-    Parameters
-    ----------
-    numbers
-        (n,) numbers of the law, `WearLaw.numbers`.
-    solved
-        The solved patch.
-    depth
-        (ny, REGIMES) result [m].
-    """
+    """Wear depth on the wheel per revolution, by strip and regime; arguments: `LawKernel`."""
     energy = energies_of_strips(solved, depth)
     if energy > 0.0:
         regime, volume = british_rail_volume(energy, solved.rolling_radius, read_rate(numbers))

@@ -48,7 +48,9 @@ def wear_number(
 
 @inlined_kernel
 def cell_energy(fields: Fields, j: int, i: int) -> float:
-    """Energy dissipated in cell (j, i) per area and distance rolled [Pa], by its own slip (kernel).
+    """Energy dissipated in cell (j, i) per area and distance rolled [Pa] (kernel).
+
+    It follows from the slip of the cell; where it sticks it is 0.
 
     Parameters
     ----------

@@ -80,17 +80,7 @@ def krause_poll_volume(energy: float, patch: RollingPatch, speed: float, rate: R
 
 @kernel
 def krause_poll_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
-    """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`.
-
-    Parameters
-    ----------
-    numbers
-        (n,) numbers of the law, `WearLaw.numbers`.
-    solved
-        The solved patch.
-    depth
-        (ny, REGIMES) result [m].
-    """
+    """Wear depth on the wheel per revolution, by strip and regime; arguments: `LawKernel`."""
     energy = energies_of_strips(solved, depth)
     if energy > 0.0:
         regime, volume = krause_poll_volume(energy, solved.patch, solved.speed, read_rate(numbers))

@@ -58,17 +58,7 @@ def _rate(density: float) -> tuple[float, ...]:
 
 @kernel
 def usfd_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
-    """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`.
-
-    Parameters
-    ----------
-    numbers
-        (n,) numbers of the law, `WearLaw.numbers`.
-    solved
-        The solved patch.
-    depth
-        (ny, REGIMES) result [m].
-    """
+    """Wear depth on the wheel per revolution, by strip and regime; arguments: `LawKernel`."""
     patch, energy = solved.patch, energies_of_strips(solved, depth)
     depth[:] = 0.0
     if not energy > 0.0:
@@ -84,17 +74,7 @@ def usfd_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> 
 
 @kernel
 def ward_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
-    """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`, summed over the cells.
-
-    Parameters
-    ----------
-    numbers
-        (n,) numbers of the law, `WearLaw.numbers`.
-    solved
-        The solved patch.
-    depth
-        (ny, REGIMES) result [m].
-    """
+    """Wear depth on the wheel per revolution, by strip and regime, from the cells; arguments: `LawKernel`."""
     patch, fields, rate = solved.patch, solved.fields, read_rate(numbers)
     cells_y, cells_x = fields.pressure.shape
     depth[:] = 0.0

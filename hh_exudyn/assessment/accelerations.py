@@ -93,12 +93,7 @@ def body_places(vehicle: Vehicle, unit: int = 1) -> list[Place]:
 def bogie_places(vehicle: Vehicle, unit: int = 1) -> list[Place]:
     """Points of the side frames, or bogie frames, of a unit over their wheelsets.
 
-    Parameters
-    ----------
-    vehicle : Vehicle
-        Description of the vehicle.
-    unit : int
-        Number of the unit, from 1.
+    Arguments as in `body_places`.
     """
     kind = {body.name: body.kind for body in vehicle.bodies}
     points: dict[tuple[str, str], list[tuple[float, ...]]] = {}

@@ -25,10 +25,8 @@ def part_path(directory: Path, log: str, number: int) -> Path:
 
     Parameters
     ----------
-    directory
-        Of the run.
-    log
-        ``contact``, ``motion``, ``energy`` or ``control``.
+    directory, log
+        Directory of the run, and ``contact``, ``motion``, ``energy`` or ``control``.
     number
         Of the part, from 0.
     """

@@ -32,7 +32,9 @@ STATUS_FILE = "status.json"
 
 @dataclass(frozen=True)
 class Run:
-    """A run on disk, read on demand.
+    """A run on disk.
+
+    Its files are read on demand.
 
     Attributes
     ----------

@@ -86,7 +86,9 @@ def evaluate(
 def evaluate_bundle(
     bundle: Bundle, sliders: FloatArray, q: FloatArray, v: FloatArray, time: float, settle: bool
 ) -> int:
-    """`evaluate` for a bundle of model and work space, fast to call from Python.
+    """`evaluate` for a bundle of model and work space.
+
+    It is fast to call from Python: a bundle enters a kernel as one pointer (`kernel.Bundle`).
 
     Parameters
     ----------

@@ -171,12 +171,8 @@ def send_series(stream: rr.RecordingStream, when: Clock, wheel: WheelRows, shear
 
     Parameters
     ----------
-    stream
-        The recording.
-    when
-        Timelines of the n output times.
-    wheel
-        Rows of the contact log of a wheel.
+    stream, when, wheel
+        As in `send_contact`.
     shear_yield
         Yield strength in pure shear k [Pa].
     """
@@ -192,16 +188,7 @@ def send_diagram_points(
 ) -> None:
     """The working points of a wheel's patches in the shakedown diagram (which is y-down).
 
-    Parameters
-    ----------
-    stream
-        The recording.
-    when
-        Timelines of the n output times.
-    wheel
-        Rows of the contact log of a wheel.
-    shear_yield
-        Yield strength in pure shear k [Pa].
+    Arguments as in `send_series`.
     """
     friction, pressure = diagram_points(wheel, shear_yield)
     entity = f"shakedown/points/{wheel.name}"

@@ -65,10 +65,7 @@ def shift_in_cell(node: FloatArray, u: float) -> tuple[float, float]:
 def rise_in_cell(node: FloatArray, u: float) -> float:
     """Height [m] at u metres beyond a node, less the node's: the integral of the cubic gradient.
 
-    Parameters
-    ----------
-    node : (len(Node),) row of the alignment table
-    u : distance from the node [m]
+    Arguments as in `turn_in_cell`.
     """
     c, d = node[Node.GRADIENT_2] * (1.0 / 3.0), node[Node.GRADIENT_3] * 0.25
     return u * (node[Node.GRADIENT] + u * (node[Node.GRADIENT_1] * 0.5 + u * (c + u * d)))

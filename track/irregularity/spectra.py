@@ -69,7 +69,9 @@ _Numbers = Mapping[str, float]  # of a spectrum, by the names of the data file
 
 @dataclass(frozen=True)
 class Form:
-    """The formula of a family of spectra, with its signals and its unconfirmed ones.
+    """The formula of a family of spectra.
+
+    The record includes its signals, confirmed and unconfirmed.
 
     Attributes
     ----------

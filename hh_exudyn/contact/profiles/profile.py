@@ -123,10 +123,8 @@ def check_cover(what: str, kind: str, y: FloatArray, z: FloatArray) -> None:
 
     Parameters
     ----------
-    what : str
-        Name of the profile in messages.
-    kind : str
-        ``"wheel"`` or ``"rail"``.
+    what, kind : str
+        Name of the profile in messages, and ``"wheel"`` or ``"rail"``.
     y, z : FloatArray
         (n,) points in side coordinates [m].
     """

@@ -47,7 +47,7 @@ def force(patch: RollingPatch) -> tuple[float, float, float]:
     Parameters
     ----------
     patch : RollingPatch
-        Size, load, creepages and material.
+        Size, load, nu_x and material; nu_y and phi have no effect.
     """
     share, _ = slip_share(patch)
     share = min(share, 1.0)
@@ -62,13 +62,7 @@ def field(patch: RollingPatch, fields: Fields) -> None:
     Slip is the creepage less the surface's strain, in closed form; the strain does no net work along a line,
     so friction dissipates F_x nu_x.
 
-    Parameters
-    ----------
-    patch : RollingPatch
-        Size, load, creepages and material.
-    fields : Fields
-        Arrays (ny, nx) of the grid of `tangential.api`: pressure and tractions [Pa], slip over V [-];
-        result.
+    Arguments as in `fastrip.field`.
     """
     pressure, q_x, q_y, slip_x, slip_y = fields
     cells_y, cells_x = pressure.shape

@@ -135,7 +135,7 @@ def direction_force(patch: RollingPatch) -> float:
     Parameters
     ----------
     patch : RollingPatch
-        Size, load, creepages and material.
+        Its semi-axes and normal force.
     """
     if patch.a < patch.b:
         return patch.normal_force * (1.0 + (1.0 - patch.a / patch.b) ** 4)

@@ -15,7 +15,9 @@ from hh_exudyn.kernel import kernel
 
 @kernel
 def force(patch: RollingPatch) -> tuple[float, float, float]:
-    """Creep forces and spin moment on the wheel, equation 2.22.
+    """Creep forces and spin moment on the wheel.
+
+    They are linear in the creepages, equation 2.22.
 
     Parameters
     ----------

@@ -35,7 +35,7 @@ def force(patch: RollingPatch, k_adhesion: float, k_slip: float) -> tuple[float,
     Parameters
     ----------
     patch : RollingPatch
-        Size, load, creepages and material.
+        Size, load, creepages and material; the spin corrects the lateral creepage.
     k_adhesion, k_slip : float
         Reduction factors [-], see `Contamination`.
     """

@@ -35,7 +35,7 @@ def scaled_creepages(patch: RollingPatch) -> tuple[float, float, float]:
     Parameters
     ----------
     patch : RollingPatch
-        Size, load, creepages and material.
+        Size, load, creepages and material; load and friction above zero.
     """
     half = -0.5 * patch.shear_modulus / (patch.friction * peak_pressure(patch))
     return half * patch.nu_x, half * (1.0 - patch.poisson_ratio) * patch.nu_y, half * patch.a * patch.phi
@@ -141,13 +141,7 @@ def field(patch: RollingPatch, fields: Fields) -> None:
     exactly. Slip and traction are opposite within a few degrees only (the theory takes one direction for the
     whole slip zone); where slip would be along the traction, it is set to zero.
 
-    Parameters
-    ----------
-    patch : RollingPatch
-        Size, load, creepages and material.
-    fields : Fields
-        Arrays (ny, nx) of the grid of `tangential.api`: pressure and tractions [Pa], slip over V [-];
-        result.
+    Arguments as in `fastrip.field`.
     """
     pressure, q_x, q_y, slip_x, slip_y = fields
     cells_y, cells_x = pressure.shape

@@ -165,7 +165,7 @@ def field_errors(theory: str, exact: ExactField, cells: tuple[int, int] = CELLS)
     exact : ExactField
         The exact field.
     cells : tuple of int
-        Cells along x and strips across y.
+        As in `force_error`.
     """
     case = exact.case
     field = traction_field(theory, *case.arguments, case.material, cells)

@@ -162,7 +162,7 @@ def resampled(line: FloatArray, count: int) -> FloatArray:
 def upright_cylinder(
     centre: Sequence[float], radius: float, height: float, sections: int, colour: Colour
 ) -> trimesh.Trimesh:
-    """A cylinder standing on `centre` (x, y, z of its bottom) [m].
+    """An upright cylinder.
 
     Parameters
     ----------
@@ -183,7 +183,9 @@ def upright_cylinder(
 def coil(
     centre: Sequence[float], radius: float, wire: float, height: float, colour: Colour
 ) -> trimesh.Trimesh:
-    """A coil spring standing on `centre`: mean coil radius, wire radius and height [m]; 4.5 turns.
+    """An upright coil spring.
+
+    It has 4.5 turns.
 
     Parameters
     ----------
