@@ -3,22 +3,22 @@
 Start with `damage.report.assess`, which takes a run, files, a table or arrays.
 
 ==============  ====================================================================================
-`report`        `assess`: damage of the wheels of a run, one row per wheel, and the sums behind it
+`report`        `assess`: damage of the wheels of a run, one row per wheel
 `model`         `DamageModel`: settings of a damage computation
 `material`      wheel steels
 `parameters`    numbers with their sources, from ``damage/data``
 `summary`       means per wheelset over the last part of a run
 `cells`         middles of the cells of a patch
 `bounds`        checks of numbers against their bounds
-`log_input`     the contact log, checked, each row with the interval it stands for
+`log_input`     the contact log, checked, each row with its output interval
 `surface`       sums over contact states on a grid fixed to the wheel profile
 `wear`          wear laws, wear number
-`rcf`           rolling contact fatigue: indices, counts, cracks, ratchetting, cracks beside wear
+`rcf`           rolling contact fatigue: indices, counts, cracks, ratchetting, cracks with wear
 `shakedown`     shakedown limits of line and point contact, working points
 `evolution`     a wheel profile over its life: wear steps, measures, reprofiling
 `figures`       wear and fatigue over the profile, shakedown diagram, wear map
 ==============  ====================================================================================
 
-The way of a log row: `log_input` reads it, `surface` places it on the profile, solves its patch and sums its
-wear (`wear`) and its fatigue (`rcf`), `report` makes the table.
+A log row is read by `log_input`; `surface` places it on the profile, solves its patch and sums wear (`wear`)
+and fatigue (`rcf`); `report` makes the table.
 """

@@ -1,4 +1,4 @@
-"""Middles of the cells that a contact patch is cut into, over its half width or half length."""
+"""Middles of the cells of a contact patch, over its half width or half length."""
 
 import numpy as np
 
@@ -8,7 +8,13 @@ from hh_exudyn.kernel import inlined_kernel
 
 @inlined_kernel
 def cell_middle(index: int, count: int) -> float:
-    """Middle of cell `index` of `count` equal cells between -1 and +1 [-]."""
+    """Middle of cell `index` of `count` equal cells between -1 and +1 [-].
+
+    Parameters
+    ----------
+    index, count
+        Number of the cell from 0, and of all cells [-].
+    """
     return -1.0 + (2 * index + 1) / count
 
 

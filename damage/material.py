@@ -32,7 +32,9 @@ _PASCAL = {"MPa": 1e6, "HB": 9.80665e6}  # Brinell hardness is in kgf/mm^2
 
 @dataclass(frozen=True)
 class WheelMaterial:
-    """A wheel steel. Strengths that are not known are None: a model that needs them says so.
+    """A wheel steel.
+
+    Unknown strengths are None; a model that needs one raises ValueError.
 
     Attributes
     ----------
@@ -49,7 +51,7 @@ class WheelMaterial:
     criterion
         Yield criterion by which the shear yield strength follows from the yield strength, one of `CRITERIA`.
     measured_shear_yield
-        Shear yield strength known by itself (torsion, cyclic tests) [Pa]; it goes before the criterion.
+        Measured shear yield strength (torsion, cyclic tests) [Pa]; it has precedence over the criterion.
 
     Raises
     ------
@@ -81,9 +83,9 @@ class WheelMaterial:
 
     @property
     def shear_yield(self) -> float:
-        """Yield strength in pure shear k [Pa]; `shear_yield_derivation` says where it comes from.
+        """Yield strength in pure shear k [Pa]; its derivation: `shear_yield_derivation`.
 
-        Raises ValueError where nothing is known that it could be derived from.
+        Raises ValueError where neither it nor the yield strength is known.
         """
         return self.require("shear_yield", "every index of rolling contact fatigue")
 
@@ -93,7 +95,7 @@ class WheelMaterial:
         return "measured" if self.measured_shear_yield is not None else CRITERIA[self.criterion][1]
 
     def require(self, quantity: str, model: str) -> float:
-        """A strength that a model cannot do without [Pa].
+        """A strength that a model requires [Pa].
 
         Parameters
         ----------
@@ -123,9 +125,14 @@ class WheelMaterial:
         return value
 
 
+def wheel_materials() -> tuple[str, ...]:
+    """Names of all grades."""
+    return table_names("materials")
+
+
 def material_parameters(name: str) -> dict[str, Parameter]:
     """Numbers of a grade with their sources. Raises ValueError for an unknown one (lists the known)."""
-    known = table_names("materials")
+    known = wheel_materials()
     if name not in known:
         raise ValueError(f"wheel material {name!r} is not known; known: {', '.join(known)}")
     return parameters("materials", name)

@@ -11,12 +11,14 @@ from damage.surface.patch_field import theory_number
 from damage.wear.archard import archard
 from damage.wear.law import WearLaw
 
-_NOTHING_WIPED = BurstowLimits(math.inf, 1.0, math.inf)  # thresholds that no energy reaches
+_NOTHING_WIPED = BurstowLimits(math.inf, 1.0, math.inf)  # infinite thresholds: no correction
 
 
 @dataclass(frozen=True)
 class DamageModel:
     """Settings of a damage computation.
+
+    A report depends on these and the log alone.
 
     Attributes
     ----------
@@ -35,7 +37,7 @@ class DamageModel:
     patch_grid
         Bins along the patch.
     burstow
-        Thresholds of Burstow's correction; None corrects nothing.
+        Thresholds of Burstow's correction; None for no correction.
 
     Raises
     ------

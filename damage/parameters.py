@@ -39,6 +39,6 @@ def parameters(name: str, table: str) -> dict[str, Parameter]:
     Raises
     ------
     ValueError
-        No such table (the message has those there are), or an entry without a proper source.
+        No such table (lists the known ones), or an entry without a proper source.
     """
     return {item.name: item for item in load_parameters("damage", name).table(table).parameters}

@@ -56,14 +56,14 @@ class DamageReport:
     seconds_per_state: float
 
     def to_table(self) -> pyarrow.Table:
-        """One row per wheel, for people: units are in the names of the columns.
+        """One row per wheel, with units in the names of the columns.
 
-        Fatigue without "flange" in its name is of the tread. ``wear_y_mm`` is where on the profile the
-        wear is deepest (lateral coordinate, positive towards the flange). ``wear_<regime>_share`` is the part
-        of the worn volume in each regime of the wear law; of Archard's, "seizure" has the least certain
-        coefficients. The RCF numbers are those of the place of patch and profile with the largest (the
-        corrected one is missing without Burstow's thresholds), and the crack damage is Miner's sum in the bin
-        with the largest.
+        Fatigue without "flange" in its name is of the tread. ``wear_y_mm`` is the place of the deepest
+        wear on the profile (lateral coordinate, positive towards the flange). ``wear_<regime>_share`` is the
+        part of the worn volume in each regime of the wear law; of Archard's, "seizure" has the least certain
+        coefficients. The RCF numbers are the largest of all places of patch and profile (the corrected
+        one is missing without Burstow's thresholds), and the crack damage is the largest Miner's sum of all
+        bins.
         """
         surface = self.surface
         wheels = np.array(surface.wheels, dtype=np.int32).reshape(-1, 4)
@@ -136,9 +136,10 @@ def assess(
 ) -> DamageReport:
     """Wear and rolling contact fatigue of all wheels of a run.
 
-    Every contact state is solved again on a fine grid for its stresses and slip. The arguments from
-    `material` on are the settings of `damage.model.DamageModel`, each with a default: more than eight, so
-    that a call names only those that differ.
+    Every contact state is solved again on a fine grid for its stresses and slip.
+
+    Twelve arguments: settings of `damage.model.DamageModel` from `material` on, each with a default, so that
+    a call names only those that differ.
 
     Parameters
     ----------
@@ -163,14 +164,14 @@ def assess(
     profile
         The wheel profile, the same for all wheels.
     burstow
-        Thresholds of Burstow's correction; None takes those of the material, and corrects nothing where the
+        Thresholds of Burstow's correction; None takes those of the material, or no correction where the
         material lacks its yield strength or its tensile strength.
     skip_bad_rows
         Impossible rows (NaN, values out of range, forces above friction) are skipped and counted; otherwise
         they raise.
     threads
-        States that are solved at once; None takes the processors that this process may use. It has no
-        influence on the result.
+        Number of threads; None takes the processors that this process may use. It has no influence on the
+        result.
 
     Raises
     ------

@@ -122,7 +122,7 @@ def _summary(
     """Means of one wheelset over `count` output times."""
     mine = (rows["vehicle"] == vehicle) & (rows["wheelset"] == wheelset)
     both = {name: values[mine] for name, values in rows.items()}
-    _, first = np.unique(both["time"], return_index=True)  # what is repeated on both wheels and all patches
+    _, first = np.unique(both["time"], return_index=True)  # values repeated on both wheels and all patches
     wheels = [
         _wheel({name: values[both["side"] == side] for name, values in both.items()})
         for side in (LEFT, RIGHT)

@@ -1,4 +1,4 @@
-"""Array types that signatures name: what an array holds; its shape stands in the docstring."""
+"""Names of array types for signatures; shapes are in the docstrings."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -1,6 +1,6 @@
-"""Records of other packages, found through the entry points that they declare.
+"""Records of other packages, found through their entry points.
 
-A package that brings a vehicle writes into its ``pyproject.toml``::
+A package with a vehicle has in its ``pyproject.toml``::
 
     [project.entry-points."hh_exudyn.vehicles"]
     my_wagon = "my_package.wagon:RECORD"

@@ -1,26 +1,26 @@
-"""Terms and symbols of the toolkit, as the field uses them. `help(hh_exudyn.glossary)` shows this page.
+"""Terms and symbols of the toolkit. `help(hh_exudyn.glossary)` shows this page.
 
 Track and vehicle
     angle of attack         yaw of a wheelset against its rail, positive to the left [rad]
     alignment               course of the track in plan; also the lateral mean irregularity of both rails
     cant                    height of the outer over the inner rail across 1.5 m [m]
-    cant deficiency         cant that is missing for a lateral acceleration of zero [m]
-    conicity                slope of the wheel profile; equivalent conicity after EN 15302: that of cones with
-                            the same wavelength [-]
+    cant deficiency         additional cant for zero lateral acceleration [m]
+    conicity                change of rolling radius over lateral displacement; equivalent conicity after
+                            EN 15302: that of cones with the same wavelength [-]
     cross-level             irregularity of the height difference of both rails [m]
     gauge                   distance of the rails 14 mm below their tops [m]
-    gauge point             point of a rail that the gauge is measured to
+    gauge point             point of a rail 14 mm below its top, end of the gauge
     Hunt-Crossley damping   normal force N (1 + d v) with the approach rate v [s/m]
     Klingel's wave          kinematic oscillation of a free wheelset
     level                   irregularity of the mean height of both rails [m]
     longitudinal level      the same
     nosing, hunting         lateral and yaw oscillation of wheelsets and bogies
     QN1 .. QN3              quality classes of track after UIC 518
-    rail frame R            frame of one rail: the track frame turned by all that turns this rail
+    rail frame R            frame of one rail: the track frame turned by irregularity, ramps and deflection
     running circle          circle of a wheel 70 mm from the flange back
     three-piece bogie       bolster on springs and wedges between two side frames
     track frame T           x along the track, y to the left, z up; origin in the running plane
-    warp                    lozenging of a three-piece bogie: its side frames shift against each other
+    warp                    lozenging of a three-piece bogie: longitudinal shift of its side frames
     wedge                   friction element between bolster and side frame, loaded by a spring
 
 Contact
@@ -43,14 +43,15 @@ Contact
 
 Damage
     Archard, Jendel         wear depth from pressure and sliding distance; Jendel's map of its coefficient
-    EI, SI                  energy and stress index of a cell of the patch
+    EI, SI                  energy index, and stress index |q| - k, of a cell of the patch [Pa]
     FI, FI_surf, FI_sub     fatigue index: utilised friction beyond the shakedown limit; surface, subsurface
     H                       hardness [Pa]
     k                       yield strength in pure shear [Pa]; also the wear coefficient of Archard's law
     Miner's sum             sum of the damage of all load cycles, failure at 1
-    ratchetting             plastic shear that grows from passage to passage
+    ratchetting             growth of plastic shear with every passage, beyond the shakedown limit
     RCF                     rolling contact fatigue; RCF number: revolutions with SI > 0 at a place
-    shakedown               the load up to which a rolling contact becomes elastic after the first passages
+    shakedown               elastic behaviour of a rolling contact after plastic flow in the first passages;
+                            its limit is the largest load with it
     T gamma, wear number    energy dissipated per metre: creep forces times creepages [N]
     Sh, Sd, qR              flange height, flange thickness, flange steepness [m]
     wear ratio              wear depth over dissipated energy at a place of the profile

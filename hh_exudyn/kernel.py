@@ -1,11 +1,11 @@
-"""The one door to numba: `kernel`, `inlined_kernel`, `kernel_value`, `memory`, `Bundle` of many arrays.
+"""The only importer of numba: `kernel`, `inlined_kernel`, `kernel_value`, `memory`, `Bundle` of many arrays.
 
-Numba's file cache does not notice when a kernel in ANOTHER file changes, and then runs old code without
-a word. Here the cache folder of a kernel is named by the hash of every source that it can be made of: all
+Numba's file cache does not notice when a kernel in ANOTHER file changes, and then runs old code without a
+warning. Here the cache folder of a kernel is named by the hash of every source that it can depend on: all
 files, in every subfolder, of its own part of the project and of those that part may import (`_PARTS`). Any
 change of one starts an empty cache. It lies under the user's cache directory; where that cannot be written,
-kernels are compiled in every process and one warning says so. Folders that nothing has used for some time
-are deleted. Two processes may compile at once, and one may be killed: numba renames whole files into place.
+kernels are compiled in every process and one warning says so. Folders not used for some time are
+deleted. Two processes may compile at once, and one may be killed: numba renames whole files into place.
 
 A kernel never raises: it returns a status or NaN, and its caller raises with wheel, time and position.
 """
@@ -34,13 +34,13 @@ from numpy.typing import NDArray
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-PLAIN_PYTHON_FACTOR = 200.0 if numba.config.DISABLE_JIT else 1.0  # how much longer kernels take, about
+PLAIN_PYTHON_FACTOR = 200.0 if numba.config.DISABLE_JIT else 1.0  # time of kernels over compiled ones, about
 
 _ROOT = Path(__file__).resolve().parent.parent
 _PACKAGES = ("hh_exudyn", "vehicles", "track", "damage")
 _BASE = ("hh_exudyn/*.py",)  # this file, constants, units
 _CONTACT = ("hh_exudyn/contact/**/*.py",)
-_PARTS = {  # part of the project: what its kernels can be made of, beside `_BASE`; else it is everything
+_PARTS = {  # part of the project: sources of its kernels beside `_BASE`; for other parts all sources
     "hh_exudyn.contact": _CONTACT,
     "vehicles": ("vehicles/**/*.py", *_CONTACT),
     "track": ("track/**/*.py", *_CONTACT),
@@ -63,7 +63,7 @@ _IN_USE_SECONDS = 3600.0
 def source_hash(part: str = "") -> str:
     """Hash (hexadecimal, 16 digits) of every source of a part of `_PARTS`, and of numba's version.
 
-    For any other name, and none, of every source of the project.
+    For any other name, or an empty one, of every source of the project.
     """
     digest = hashlib.sha256(numba.__version__.encode())
     patterns = (*_BASE, *_PARTS[part]) if part in _PARTS else _EVERYTHING
@@ -80,7 +80,7 @@ def _part_of(module: str) -> str:
 
 @cache
 def _cache_base() -> Path | None:
-    """Where the cache folders lie; None (after one warning) where that cannot be written."""
+    """Folder of the cache folders; None (after one warning) where it cannot be written."""
     base = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
     folder = Path(base) / "hh_exudyn"
     try:
@@ -101,7 +101,7 @@ def _cache_base() -> Path | None:
 
 
 def _prune(base: Path) -> None:
-    """Delete cache folders that nothing uses any more; whatever cannot be deleted stays."""
+    """Delete cache folders that are no longer used, as far as they can be deleted."""
     now = time.time()
     ages = []
     for folder in base.iterdir():
@@ -117,7 +117,7 @@ def _prune(base: Path) -> None:
 
 @cache
 def _cache_folder(part: str) -> Path | None:
-    """The cache folder of a part, made if need be and marked as used now."""
+    """The cache folder of a part, made if necessary and marked as used now."""
     base = _cache_base()
     if base is None:
         return None
@@ -127,8 +127,8 @@ def _cache_folder(part: str) -> Path | None:
     return folder
 
 
-# What is written out for four or eight numbers that lie side by side becomes vector instructions; numba
-# leaves that out unless told. It changes no sum's order, so no result.
+# Code written out for four or eight adjacent numbers becomes vector instructions, which is off by default in
+# numba. It changes the order of no sum, so no result.
 numba.config.SLP_VECTORIZE = 1
 
 
@@ -151,10 +151,10 @@ def kernel(function: F) -> F:
 
 
 def inlined_kernel(function: F) -> F:
-    """`kernel` for a function that is always written out where a kernel calls it.
+    """`kernel` for a function that is always inlined in the kernels that call it.
 
-    For what is small, called often and takes a NamedTuple of tables: every call would copy some fifty numbers
-    to the stack and back, which costs more than what the function does.
+    For small functions that are called often and take a NamedTuple of tables: every call would copy some
+    fifty numbers to the stack and back, which takes longer than the function itself.
     """
     return _compiled(function, forceinline=True)
 
@@ -166,7 +166,7 @@ class _KernelValue(types.WrapperAddressProtocol):
         self._function, self._signature = function, signature
 
     def signature(self) -> Any:
-        """What a kernel that takes the value compiles its call for."""
+        """Signature of the call, for the compilation of kernels that take the value."""
         return self._signature
 
     def __wrapper_address__(self) -> int:
@@ -197,7 +197,7 @@ def kernel_value(function: Callable[..., None], *arguments: Any) -> Any:
 
 @intrinsic(prefer_literal=True)
 def _on_stack(typing_context: Any, count: Any) -> Any:
-    """Pointer to `count` floats (a constant) on the stack of the kernel that asks for them."""
+    """Pointer to `count` floats (a constant) on the stack of the calling kernel."""
     if not isinstance(count, types.IntegerLiteral):
         return None
 
@@ -220,8 +220,8 @@ def _plain_shaped(place: NDArray[np.float64], shape: tuple[int, ...]) -> NDArray
 
 # `memory(count)`: uninitialised memory for `count` floats (a constant) on the stack, gone when the kernel
 # returns. `shaped(place, shape)`: the array of a constant shape lying there. A shape known to the compiler
-# tells it which parts cannot overlap, and that decides whether a loop becomes vector instructions. An array
-# passed on to another kernel loses its shape: so the memory is passed on, and shaped again.
+# shows which parts cannot overlap, on which vector instructions depend. An array passed to another kernel
+# loses its shape: so the memory is passed, and shaped again.
 memory: Callable[[int], Any] = _plain_memory if numba.config.DISABLE_JIT else _on_stack
 shaped: Callable[[Any, tuple[int, ...]], NDArray[np.float64]] = (
     _plain_shaped if numba.config.DISABLE_JIT else numba.carray
@@ -247,8 +247,8 @@ class _PlainBundle(NamedTuple):
 class Bundle(structref.StructRefProxy):
     """Two NamedTuples, `model` and `work`, that enter a kernel as one pointer.
 
-    A NamedTuple of arrays is taken apart at every call from Python, a third of a microsecond an array: with
-    fifty arrays that is more than all springs of a wagon cost. Inside a kernel ``bundle.model`` and
+    A NamedTuple of arrays is unpacked at every call from Python, a third of a microsecond per array: with
+    fifty arrays that is more than the time of all springs of a wagon. Inside a kernel ``bundle.model`` and
     ``bundle.work`` are the tuples themselves.
     """
 
@@ -262,5 +262,5 @@ structref.define_proxy(Bundle, _BundleType, ["model", "work"])
 
 @kernel
 def _new_bundle(model: Any, work: Any) -> Any:
-    """In the kernel cache, unlike what the proxy would compile by itself: that takes seconds a process."""
+    """A `Bundle`, made by a cached kernel: the proxy's own constructor would be compiled in every process."""
     return Bundle(model, work)

@@ -1,11 +1,11 @@
-"""Filters of zero phase: what is slower than a frequency, and what lies in a band of frequencies.
+"""Filters of zero phase: low pass and band pass.
 
 Butterworth filters of fourth order, run forwards and backwards: no shift along the signal, 48 dB an octave
 beyond the cut-off. -3 dB, which is 1 / sqrt(2) of the amplitude or half the power, holds at the named
-frequency after BOTH passes, at any sampling interval; 0.5 of the amplitude, as two plain passes have it,
-would be another filter than the one that standards name. Both passes leave
+frequency after BOTH passes, at any sampling interval; 0.5 of the amplitude, as after two plain passes, would
+not be the filter of the standards. The gain of both passes is
 
-    1 / (1 + (sqrt(2) - 1) w^8) of the amplitude,    w = tan(pi f dt) / tan(pi f_c dt)
+    1 / (1 + (sqrt(2) - 1) w^8),    w = tan(pi f dt) / tan(pi f_c dt)
 
 (the tangents are the bilinear transform's). Along the track, intervals are in m and frequencies in 1/m.
 """
@@ -18,7 +18,7 @@ from scipy.signal import butter, sosfiltfilt
 from hh_exudyn.arrays import FloatArray
 
 ORDER = 4  # of each pass
-PERIODS = 3.0  # of the lowest cut-off frequency: how far both ends are continued
+PERIODS = 3.0  # of the lowest cut-off frequency: length of the continuation of both ends
 
 _TWO_PASSES = (math.sqrt(2.0) - 1.0) ** (-0.5 / ORDER)  # cut-off of one low-pass over that of both passes
 _HIGHEST_TANGENT = 1e3  # of the cut-off frequencies: half the sampling rate has an infinite one
@@ -28,7 +28,7 @@ def low_pass(values: FloatArray, interval: float, cutoff: float) -> FloatArray:
     """The part of a signal below a cut-off frequency.
 
     Both ends are continued by their point reflection over `PERIODS` periods of the cut-off, as far as the
-    signal reaches: a constant and a slope pass whole, up to the ends.
+    signal reaches: constants and slopes pass unchanged, up to the ends.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def low_pass(values: FloatArray, interval: float, cutoff: float) -> FloatArray:
     interval : float
         Between samples [s].
     cutoff : float
-        Where 1 / sqrt(2) of the amplitude is left [Hz].
+        Frequency with the gain 1 / sqrt(2) [Hz].
 
     Raises
     ------
@@ -56,12 +56,10 @@ def band_pass(
 
     Parameters
     ----------
-    values : (n, ...) array
-        Samples at equal intervals along the first axis.
-    interval : float
-        Between samples [s].
+    values, interval
+        As for `low_pass`.
     band : (float, float)
-        Lower and upper frequency, where 1 / sqrt(2) of the amplitude is left [Hz].
+        Lower and upper frequency, each with the gain 1 / sqrt(2) [Hz].
     padding : float or None
         Length over which both ends are continued by their point reflection [s]; None, the default, for
         `PERIODS` periods of the lower frequency.

@@ -1,16 +1,16 @@
-"""Numbers with unit and source, and the one reader of the TOML files that hold them.
+"""Numbers with unit and source, and the reader of their TOML files.
 
 Every number of a data file is an entry of a table::
 
     [wedge]
     friction = { value = 0.3, unit = "-", source = "assumed: dry steel", range = [0.2, 0.5] }
 
-`source` begins with one of `KINDS`; ``range = [least, largest]`` says between which values the number may be
-varied, ``confirmed = false`` marks a number that is quoted from memory or at second hand. A value may be a
+`source` begins with one of `KINDS`; ``range = [least, largest]`` are the bounds for variations of the
+number, ``confirmed = false`` marks a number quoted from memory or at second hand. A value may be a
 list; each of its items is then a parameter of its own, ``name[0]``, ``name[1]``, ... Texts beside the entries
-(a description, the name of a formula) stay texts.
+(a description, the name of a formula) remain texts.
 
-`load_parameters` reads a file of a package, `read_parameters` tables that are at hand. `ParameterSet.replace`
+`load_parameters` reads a file of a package, `read_parameters` reads tables in memory. `ParameterSet.replace`
 gives a changed copy; `differences` compares two sets.
 """
 
@@ -26,16 +26,24 @@ from pydantic import AfterValidator, ConfigDict, Field, ValidationError
 from pydantic.dataclasses import dataclass
 
 KINDS = ("published", "derived", "assumed")
-VARIANT = "variant"  # the kind of a number that was changed without a source
+VARIANT = "variant"  # the kind of a number changed without a source
 
 
 def kind_of(source: str) -> str:
-    """The first word of a source, which says how a number is known."""
+    """The first word of a source, the kind of the number."""
     return source.split(":", 1)[0]
 
 
 def check_source(source: str, kinds: tuple[str, ...] = KINDS) -> str:
-    """The source itself. Raises ValueError where it does not begin with one of `kinds`."""
+    """The source itself. Raises ValueError where it does not begin with one of `kinds`.
+
+    Parameters
+    ----------
+    source : str
+        "kind: text".
+    kinds : tuple of str
+        Allowed kinds.
+    """
     if kind_of(source) not in kinds:
         raise ValueError(f"source starts with {kind_of(source)!r}; allowed: {', '.join(kinds)}")
     return source
@@ -57,11 +65,11 @@ class Parameter:
     unit : str
         Unit of the file, not always SI; "-" without one.
     source : str
-        How it is known: one of `KINDS` or `VARIANT`, a colon, and where it is from.
+        Kind, one of `KINDS` or `VARIANT`, a colon, and the origin.
     confirmed : bool
-        Whether it was read in the source that is named; False where it is quoted from memory or second hand.
+        Whether it was read in the named source; False where it is quoted from memory or second hand.
     range : (float, float) or None
-        Least and largest value that it may reasonably have, where the source gives them.
+        Least and largest reasonable value, where the source gives them.
 
     Raises
     ------
@@ -84,13 +92,13 @@ class Parameter:
 
     @property
     def kind(self) -> str:
-        """How the number is known: one of `KINDS`, or `VARIANT`."""
+        """Kind of the number: one of `KINDS`, or `VARIANT`."""
         return kind_of(self.source)
 
 
 @dataclass(frozen=True)
 class Difference:
-    """One number that is not the same in two parameter sets; None where a set does not have it."""
+    """One number that differs between two parameter sets; None for a set without it."""
 
     name: str
     before: Parameter | None
@@ -142,7 +150,7 @@ class ParameterSet:
         return tuple(dict.fromkeys(name.split(".", 1)[0] for name in (*self._by_name, *self.texts)))
 
     def table(self, name: str) -> "ParameterSet":
-        """What stands in a table, by the names that it has there. Raises ValueError, listing the tables."""
+        """The numbers of a table, by their names in it. Raises ValueError where there is no such table."""
         if name not in self.tables:
             raise ValueError(f"{self.name} has no table {name!r}; it has: {', '.join(self.tables)}")
         start = f"{name}."
@@ -183,10 +191,10 @@ class ParameterSet:
         Parameters
         ----------
         changes : mapping of str to float
-            New values by name, in the units that this set has.
+            New values by name, in the units of this set.
         source : str
-            How they are known: ``"published: ..."``, ``"derived: ..."``, ``"assumed: ..."``, or
-            ``"variant: ..."`` for what is merely tried.
+            Their source: ``"published: ..."``, ``"derived: ..."``, ``"assumed: ..."``, or
+            ``"variant: ..."`` for a trial.
         name : str or None
             Of the copy; None keeps the name.
 
@@ -209,10 +217,17 @@ class ParameterSet:
     def with_parameters(self, parameters: Iterable[Parameter], name: str | None = None) -> "ParameterSet":
         """A copy with some numbers changed, each with a source of its own; see `replace`.
 
+        Parameters
+        ----------
+        parameters : iterable of Parameter
+            The changed numbers.
+        name : str or None
+            Of the copy; None keeps the name.
+
         Raises
         ------
         ValueError
-            A name is not known, or a unit is not the one that this set has.
+            A name is not known, or a unit is not that of this set.
         """
         new = dict(self._by_name)
         for parameter in parameters:
@@ -237,7 +252,13 @@ class ParameterSet:
 
 
 def differences(before: ParameterSet, after: ParameterSet) -> tuple[Difference, ...]:
-    """The numbers of which value or unit differ between two sets, in the order of the files."""
+    """The numbers of which value or unit differ between two sets, in the order of the files.
+
+    Parameters
+    ----------
+    before, after : ParameterSet
+        The two sets.
+    """
     old = {parameter.name: parameter for parameter in before.parameters}
     new = {parameter.name: parameter for parameter in after.parameters}
     found = []

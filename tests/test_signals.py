@@ -7,7 +7,7 @@ import pytest
 
 from hh_exudyn.log.wheel_forces import WheelForces
 from hh_exudyn.signals import band_pass, low_pass
-from track.irregularity.wavelength_bands import band_pass as wavelength_band
+from track.irregularity.wavelength_bands import wavelength_band
 
 HALF_POWER = math.sqrt(0.5)
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class CsvRow:
-    """One row of a table: where it stands, and its fields as text by column name."""
+    """One row of a table: file, line, and its fields as text by column name."""
 
     source: str
     line: int
@@ -21,9 +21,14 @@ class CsvRow:
         return ValueError(f"{self.source}, line {self.line}: {message}")
 
     def number(self, name: str, low: float, high: float) -> float:
-        """The number in column `name`, `low` to `high` in the unit that the name carries.
+        """The number in column `name`, `low` to `high`, in the unit of the column's name.
 
         Raises ValueError with line, name, value and allowed range where it is missing, no number or outside.
+
+        Parameters
+        ----------
+        name : of the column
+        low, high : allowed range, ends included
         """
         text = self.fields[name]
         allowed = f"allowed are numbers from {low:g} to {high:g}"
@@ -40,6 +45,11 @@ class CsvRow:
 
 def read_columns(path: str | Path, needed: Collection[str], optional: Collection[str] = ()) -> list[CsvRow]:
     """Rows of a comma separated file with one header line; lines that begin with ``#`` are comments.
+
+    Parameters
+    ----------
+    path : of the file
+    needed, optional : names of the columns that must and may be there
 
     Raises
     ------

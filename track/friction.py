@@ -1,16 +1,16 @@
-"""The friction coefficient of a contact: where on the track, where on the wheel, and how fast it slips.
+"""The friction coefficient of a contact by place on the track, zone of the wheel and slip speed.
 
 The input is `Zones` (a coefficient for tread, gauge corner and flange) for sections of the track, left and
-right, and perhaps a `Falling` characteristic; `Friction.table` is the form that the contact reads for every
-patch (`hh_exudyn.contact.friction`). Zones and sections pass smoothly into each other, so that creep forces
-stay continuous.
+right, and perhaps a `Falling` characteristic; `Friction.table` makes the table that the contact kernels read
+for every patch (`hh_exudyn.contact.friction`). Zones and sections pass smoothly into each other, so that
+creep forces stay continuous.
 
     >>> dry = climate("cold_dry").treated("flange_lubrication")
     >>> friction = Friction.everywhere(dry, falling=falling("polach_dry"))
     >>> table = friction.table([()] * 4)  # for a wagon
 
-Treatments that a vehicle carries, such as the flange lubrication of a locomotive, act on the wheelsets that
-carry them and no other; their effect on the rail for the wheelsets behind is a treatment of the track.
+Treatments on board, such as the flange lubrication of a locomotive, act on the treated wheelsets alone; their
+effect on the rail for the wheelsets behind is a treatment of the track.
 
     >>> table = friction.table([("flange_lubrication",), (), (), (), (), ("flange_lubrication",)])
 
@@ -34,7 +34,7 @@ _FRICTION = (0.01, 1.0)  # allowed range
 
 
 def _check_range(name: str, value: float, unit: str, low: float, high: float) -> None:
-    """Raise ValueError unless `value` is a finite number from `low` to `high` (NaN is not)."""
+    """Raise ValueError unless `value` lies between `low` and `high`; NaN does not."""
     if not (low <= value <= high and math.isfinite(value)):
         raise ValueError(f"{name} is {value} {unit}, allowed are {low:g} to {high:g} {unit}")
 
@@ -66,7 +66,7 @@ class Zones:
         return self.tread, self.gauge_corner, self.flange
 
     def treated(self, *treatments: str) -> "Zones":
-        """With lubrication or conditioning, which lowers friction where it is higher and never raises it.
+        """The zones after lubrication or conditioning: the lower of both frictions in each zone.
 
         Raises ValueError for an unknown treatment (lists the known ones).
         """
@@ -120,7 +120,7 @@ class Friction:
     Parameters
     ----------
     sections : in the order of their starts; the first also holds before its start
-    falling : how friction falls with slip speed, everywhere alike
+    falling : characteristic over the slip speed, the same everywhere
     ramp : length over which one section changes into the next, half before and half behind the start [m],
         0.01 to 100 and no longer than a section
 
@@ -151,11 +151,11 @@ class Friction:
         return cls((FrictionSection(0.0, zones, zones),), falling)
 
     def table(self, wheelsets: Sequence[tuple[str, ...]]) -> FrictionTable:
-        """The form that the contact reads, for a vehicle with these wheelsets.
+        """The table that the contact kernels read, for a vehicle with these wheelsets.
 
         Parameters
         ----------
-        wheelsets : treatments that each wheelset carries, mostly none: ``()``
+        wheelsets : treatments of each wheelset, mostly none: ``()``
 
         Raises
         ------
@@ -216,7 +216,7 @@ def _named(kind: str, name: str) -> dict[str, float]:
 
 
 def _zone_angles() -> tuple[float, float, float, float]:
-    """Contact angles where one zone begins to pass into the next and has done so [rad]."""
+    """Contact angles at the beginning and end of the passage from zone to zone [rad]."""
     zones = load_parameters("track", "friction").table("zones")
     corner, flange = zones.row("tread_to_gauge_corner"), zones.row("gauge_corner_to_flange")
     return (

@@ -2,7 +2,7 @@
 
 On the iron-ore line the high and the low rail of a curve differ, by country and radius (Hossein-Nia 2018,
 table 1-7). So a curve has a `RailPair` by high and low; `Rails` are the two sides that a wheelset meets;
-`RailsAlong` puts them, nominal or measured, along a track. `GaugeRule` says how much a curve is widened.
+`RailsAlong` puts them, nominal or measured, along a track. `GaugeRule` is the gauge over the radius.
 """
 
 import math
@@ -16,7 +16,7 @@ import numpy as np
 
 from hh_exudyn.contact.profile import RAIL_PROFILES, Profile, rail_profile, read_rail_profile
 
-HANDS = ("left", "right", "straight")
+RAIL_HANDS = ("left", "right", "straight")
 NEW = "new"  # the wear state of nominal profiles
 
 
@@ -37,9 +37,9 @@ class Rails:
 
     Parameters
     ----------
-    left, right : a name that `rail_profile` knows ("60E1"), or a path to an existing profile file
+    left, right : a name for `rail_profile` ("60E1"), or the path of an existing profile file
     inclination : of standard profiles towards the track centre, as a slope [-], 0 (upright) to 1/10.
-        A measured profile is taken as it lies in its file.
+        A measured profile has the inclination of its file.
     """
 
     left: str = "60E1"
@@ -72,7 +72,7 @@ class RailPair:
     Parameters
     ----------
     high, low : name or path as in `Rails`; on straight track `high` lies left and `low` right
-    wear : name of the wear state, as the measurement calls it; "new" for nominal profiles
+    wear : name of the wear state in the measurement; "new" for nominal profiles
     """
 
     high: str
@@ -82,10 +82,15 @@ class RailPair:
     def rails(self, hand: str, inclination: float = 1.0 / 30.0) -> Rails:
         """The rails by side: the high rail of a left-hand curve is the right one.
 
-        Raises ValueError for a `hand` that is none of `HANDS`.
+        Raises ValueError for a `hand` that is none of `RAIL_HANDS`.
+
+        Parameters
+        ----------
+        hand : of the curve, one of `RAIL_HANDS`
+        inclination : of standard profiles, slope [-]
         """
-        if hand not in HANDS:
-            raise ValueError(f"hand is {hand!r}, allowed are {', '.join(HANDS)}")
+        if hand not in RAIL_HANDS:
+            raise ValueError(f"hand is {hand!r}, allowed are {', '.join(RAIL_HANDS)}")
         if hand == "left":
             return Rails(left=self.low, right=self.high, inclination=inclination)
         return Rails(left=self.high, right=self.low, inclination=inclination)
@@ -95,7 +100,7 @@ class RailPair:
 class RailRule:
     """Where a pair of rails lies: country and radius, from `radius_from` to below `radius_to` [m].
 
-    Straight track has the radius infinity, which only a rule with ``radius_from = inf`` reaches.
+    Straight track has the radius infinity, which only a rule with ``radius_from = inf`` covers.
     `share` is for several pairs in the same places [-]; the shares of one place and wear sum to 1.
     """
 
@@ -106,7 +111,14 @@ class RailRule:
     share: float = 1.0
 
     def holds(self, country: str, radius: float, wear: str) -> bool:
-        """Whether the rule is for that place and wear state."""
+        """Whether the rule is for that place and wear state.
+
+        Parameters
+        ----------
+        country : as in the rules of the line
+        radius : of the curve, infinity on straight track [m]
+        wear : wear state
+        """
         inside = self.radius_from <= radius < self.radius_to or radius == self.radius_from == math.inf
         return inside and self.country == country and self.pair.wear == wear
 
@@ -126,7 +138,7 @@ def rail_pairs(
     Raises
     ------
     ValueError
-        A country or wear state that no rule knows (lists the known ones), a place without rule, or shares
+        A country or wear state without a rule (lists the known ones), a place without rule, or shares
         of a place that do not sum to 1.
     """
     rules = tuple(rules)
@@ -238,9 +250,9 @@ class RailsAlong:
     def of_stretches(cls, stretches: Iterable[tuple[float, Rails | None]]) -> "RailsAlong":
         """Rails of stretches of track in their order from s = 0, each by its length [m] and its rails.
 
-        A stretch without rails of its own (None: a transition) has those of its neighbours, which change in
-        its middle. Neighbours with the same rails become one section. Raises ValueError where no stretch has
-        rails.
+        A stretch without rails of its own (None: a transition) has those of its neighbours, with the change
+        at its middle. Neighbours with the same rails become one section. Raises ValueError where no stretch
+        has rails.
         """
         found: list[RailSection] = []
         start, without = 0.0, 0.0

@@ -2,9 +2,10 @@
 
 ===============  =====================================================================================
 `models`         the vehicles themselves, one file each, with their records
-`traction`       drives, driver, train and steering: what moves a vehicle along its track
-`description`    bodies, wheelsets, vehicles: the drawing
-`couplings`      what lies between two bodies: springs, rods, stops, wedges, plates
+`traction`       drives, driver, train and steering of a vehicle that drives itself
+`description`    bodies, wheelsets, vehicles, in the coordinates of the drawing
+`couplings`      descriptions of springs, rods, stops, wedges, plates between two bodies; their forces
+                 are in `hh_exudyn.multibody.couplings`
 `soundness`      checks of all numbers of a vehicle: finite, no negative stiffness or clearance
 `force_laws`     two-stage springs, stops, dry friction, wedges: kernels of plain numbers
 `outline`        a box for every body, for drawings

@@ -1,7 +1,8 @@
 """Couplings between two bodies of a vehicle, as frozen values on its drawing (frame: `description`).
 
 A coupling's displacement is that of its point on body B relative to body A in the axes of body A, zero on the
-drawing; its force and moment act on B there, and their opposites on A at the same place.
+drawing; its force and moment act on B there, and their opposites on A at the same place. The kernels of these
+forces are in `hh_exudyn.multibody.couplings`.
 """
 
 import math
@@ -10,7 +11,7 @@ from itertools import pairwise
 
 Vector = tuple[float, float, float]
 
-LARGEST_TABLE = 10  # points of a bump stop, for which the force kernel has places
+LARGEST_TABLE = 10  # most points of a bump stop, the size of the table in the force kernel
 
 
 @dataclass(frozen=True)
@@ -31,9 +32,9 @@ class AxleBoxPad:
 class AxleBox:
     """Axle box in a side frame's pedestal: the frame (A) stands on a pad on the box of a wheelset (B).
 
-    The pad shears elastically until the dry friction of its seat, friction times its load, gives way; it then
-    slides as far as the pedestal's clearance, longitudinal or lateral, where the stop takes over. It cannot
-    pull. The wheelset spins freely.
+    The pad shears elastically until the dry friction of its seat, friction times its load, is exceeded; it
+    then slides up to the pedestal's clearance, longitudinal or lateral, and from there on the stop acts. It
+    cannot bear tension. The wheelset spins freely.
     """
 
     name: str
@@ -116,7 +117,7 @@ class Wedge:
     slope: float  # angle of the bolster's face from the vertical [rad]
     toe: float  # angle of the column's face from the vertical, > 0 where the columns close downwards [rad]
     width: float  # between its two lines of contact [m]
-    wear: float  # of column and wedge together, perpendicular to the column: the wedge has risen [m]
+    wear: float  # depth on column and wedge together, perpendicular to the column; it raises the wedge [m]
     friction: float  # of the column
     slope_friction: float  # of the slope
     slope_friction_ratio: float  # share of the slope's friction that is mobilised, -1..1
@@ -125,7 +126,7 @@ class Wedge:
 
     @property
     def force_slope(self) -> float:
-        """Angle of the bolster's force on the wedge, its friction included: a + r atan(mu1) [rad]."""
+        """Angle of the bolster's force on the wedge [rad]: slope + ratio atan(slope_friction)."""
         return self.slope + self.slope_friction_ratio * math.atan(self.slope_friction)
 
     @property
@@ -160,7 +161,13 @@ class Wedge:
             )
 
     def normal_force(self, spring_force: float, motion: int) -> float:
-        """Column force N2 [N] in sliding; motion +1 loading, -1 unloading (the equations above)."""
+        """Column force N2 [N] in sliding; motion +1 loading, -1 unloading (the equations above).
+
+        Parameters
+        ----------
+        spring_force : of the control spring Fs [N]
+        motion : +1 loading, -1 unloading
+        """
         return self.spring_share * spring_force / (self.tan_slope - motion * self.friction)
 
 
@@ -239,8 +246,8 @@ class Bushing:
 class Rod:
     """Spring and damper along the line between its two points: traction rod, drawbar, motor link, damper.
 
-    It has its length without force on the drawing, pulls and pushes, and swings freely about its ends. An end
-    on a wheelset must lie on the axle's centre line.
+    Unloaded on the drawing; it bears tension and compression, and both ends are ball joints. An end on a
+    wheelset must lie on the axle's centre line.
     """
 
     name: str

@@ -1,7 +1,7 @@
 """A vehicle: bodies, couplings and wheelsets as frozen values, independent of the solver.
 
 Drawing frame of a vehicle: x forward from its middle, y left, z up from the rail tops, all springs
-unloaded. What lies between the bodies: `couplings`.
+unloaded. Couplings between the bodies: `couplings`.
 """
 
 import math
@@ -18,7 +18,7 @@ _ON_AN_AXLE = (
     AxleBoxPad,
     Rod,
     BumpStop,
-)  # couplings that do not feel the spin of a wheelset as their body B
+)  # couplings in which the spin of a wheelset as body B has no influence
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Body:
     inertia: Vector  # about x, y, z through the centre of mass [kg m^2]
     position: Vector  # of the centre of mass on the drawing [m]
     deflection: float = 0.0  # downwards under load, roughly: first guess of the equilibrium [m]
-    held_weight: float | None = None  # weight of a body that is held from outside, else None [N]
+    held_weight: float | None = None  # weight of a body in imposed straight motion, else None [N]
 
     def __post_init__(self) -> None:
         if self.kind not in BODY_KINDS:
@@ -43,13 +43,13 @@ class Body:
 
     @property
     def weight(self) -> float:
-        """Load of its couplings or wheels [N]."""
+        """Weight that its couplings or wheels carry [N]."""
         return self.mass * GRAVITY if self.held_weight is None else self.held_weight
 
 
 @dataclass(frozen=True)
 class Coupler:
-    """The couplers: the train pulls there along the track and holds the speed."""
+    """The couplers, where the train pulls along the track and maintains the speed."""
 
     bodies: tuple[str, ...]  # of each coupler head
     points: tuple[Vector, ...]  # coupler heads on the drawing [m]
@@ -175,7 +175,7 @@ class Vehicle:
         return tuple(dict.fromkeys(wheelset.unit for wheelset in self.wheelsets))
 
     def unit_of(self, body: str) -> int:
-        """The unit of a body: that of the nearest middle of a unit's wheelsets."""
+        """The unit of a body: the one whose wheelsets have their middle nearest to it."""
         place = self.body(body).position[0]
 
         def distance(unit: int) -> float:
@@ -186,5 +186,5 @@ class Vehicle:
 
     @property
     def mass(self) -> float:
-        """Mass of all bodies but those that are held from outside [kg]."""
+        """Mass of all bodies but those in imposed motion [kg]."""
         return sum(body.mass for body in self.bodies if body.held_weight is None)

@@ -1,27 +1,27 @@
-"""Force laws of the suspension that are not linear: two-stage springs, stops, dry friction, wedges.
+"""Nonlinear force laws of the suspension: two-stage springs, stops, dry friction, wedges.
 
 Kernels of plain numbers, shared by the multibody model and by tests; no bodies, no Exudyn.
 
 Dry friction has memory: an elastic spring in series with a Coulomb slider, and a damper beside both. The
-slider's position is that of the last accepted step; within a step it slips just as far as the spring's force
-alone must, to come back within the friction bound, and where it then lies is committed once the step is
-accepted. The damper's force is never stretch of the spring: it fills what room the spring leaves below the
-bound. There is no sign() of a velocity, and no creep at rest.
+slider's position is that of the last accepted step; within a step it slips by the distance that brings the
+spring's force back to the friction bound, and its new position is committed once the step is accepted. The
+damper's force never stretches the spring: it is limited to the margin between spring force and bound. There
+is no sign() of a velocity, and no creep at rest.
 
-Why no path makes energy, in steps of any length. Let e be the spring's stretch, g = K e its force and
-E = e.Ke/2 its energy at the end of a step, s the slip of the slider in the step, w = de + s = v dt the way of
-the body and c D v the part of the damper's force that acts. With the forces at the end of the step the work
-on the element is
+No path generates energy, with steps of any length. Let e be the spring's stretch, g = K e its force and
+E = e.Ke/2 its energy at the end of a step, s the slip of the slider in the step, w = de + s = v dt the
+displacement of the body and c D v the part of the damper's force that acts. With the forces at the end of the
+step the work on the element is
 
     (g + c D v).w = g.de + g.s + c dt v.Dv >= E - E(before).
 
 g.de is at least the rise of E, which is convex; g.s >= 0, since of each component of the trial stretch e + s
-slip leaves a share from 0 to 1; and c >= 0. The bound does not appear: it may move as it likes. (Return
+slip leaves a share from 0 to 1; and c >= 0. The bound does not appear: it may vary freely. (Return
 mapping: J. J. Moreau's catching-up scheme, J. Differential Equations 26, 1977; J. C. Simo and
 T. J. R. Hughes, Computational Inelasticity, 1998, chapters 1 and 3. The inequality is derived here.)
 
-The two friction laws are written out where they are called: where the compiler decides otherwise, and that
-changes with any line of theirs, all couplings of the wagon take 2 to 3 times as long.
+The two friction laws are inlined at their calls. Left to the compiler, whose choice changes with any line of
+them, all couplings of the wagon take 2 to 3 times as long.
 """
 
 import math
@@ -33,7 +33,7 @@ from hh_exudyn.kernel import inlined_kernel, kernel
 
 _NEWTON_STEPS = 30
 _NEWTON_TOLERANCE = 1e-12  # of the friction bound
-_NO_BOUND = 1e-100  # of the trial force, below it Newton's numbers would leave the range of floats
+_NO_BOUND = 1e-100  # of the trial force; a bound below it counts as zero, lest Newton's method underflow
 
 
 @kernel
@@ -44,6 +44,12 @@ def two_stage_spring(
 
     Up to there the outer coils carry alone with `first_stiffness` [N/m], beyond it the nest has
     `second_stiffness` [N/m]. The nest cannot pull.
+
+    Parameters
+    ----------
+    compression : [m]
+    first_stiffness, second_stiffness : of the outer coils, and of the nest with all coils in contact [N/m]
+    second_from : compression at contact of the inner coils [m]
     """
     if compression <= 0.0:
         return 0.0
@@ -54,7 +60,14 @@ def two_stage_spring(
 
 @kernel
 def clearance_stop(displacement: float, clearance: float, stiffness: float) -> float:
-    """Restoring force [N] of a two-sided stop: zero within +-`clearance` [m], linear beyond."""
+    """Restoring force [N] of a two-sided stop: zero within +-`clearance` [m], linear beyond.
+
+    Parameters
+    ----------
+    displacement : [m]
+    clearance : to either side [m]
+    stiffness : [N/m]
+    """
     if displacement > clearance:
         return -stiffness * (displacement - clearance)
     if displacement < -clearance:
@@ -72,7 +85,7 @@ def tabulated_stop(displacement: float, table: NDArray[np.float64], points: int)
     table : (2 or more x points,) displacement [m], force [N], displacement, force, ...; displacements rise
     points : number of points, 2 or more
 
-    Before the first point the force is that of the first, beyond the last it goes on as between the last two.
+    Before the first point the force is that of the first, beyond the last it is extrapolated.
     """
     if displacement <= table[0]:
         return table[1]
@@ -100,7 +113,7 @@ def dry_friction(
 ) -> tuple[float, float, float, float]:
     """Two-dimensional Coulomb friction with an elastic spring before the slider and a damper beside both.
 
-    Its eleven arguments are plain numbers because programs outside of the toolkit call it.
+    Eleven arguments: plain numbers, since programs outside of the toolkit call it.
 
     Parameters
     ----------
@@ -115,11 +128,11 @@ def dry_friction(
     (force_u, force_w, new_slider_u, new_slider_w) : force on the sliding body [N] and the slider position
     [m] to commit when the step is accepted.
 
-    The force never exceeds the bound. The slider stays where the spring alone is within it, whatever the
-    damper does. Where it is not, the slider slips in the direction of the force that the spring is left with:
-    Coulomb's law, for any ratio of the stiffnesses, and the slip that loses most (closest point to the trial
-    force in the norm of the spring's energy). The damper then takes the largest share of its force, 0 to 1,
-    that the bound has room for. No path takes energy out of the element: see the head of this file.
+    The force never exceeds the bound. While the spring's force alone is within it the slider rests,
+    whatever the damper's force. Otherwise the slider slips in the direction of the remaining spring force:
+    Coulomb's law, for any ratio of the stiffnesses, and the slip of largest loss (closest point to the trial
+    force in the norm of the spring's energy). The damper then acts with the largest share of its force, 0 to
+    1, that keeps the sum within the bound. No path gains energy from the element: see the head of this file.
     """
     bound = max(bound, 0.0)
     spring_u = stiffness_u * (u - slider_u)
@@ -144,9 +157,10 @@ def dry_friction(
 def _left_of_stretch(
     spring_u: float, spring_w: float, stiffness_u: float, stiffness_w: float, bound: float
 ) -> tuple[float, float]:
-    """Shares 0..1 of the stretch in u and w that slip leaves, where the spring's force exceeds the bound.
+    """Shares 0..1 of the stretch in u and w that remain after slip, where the spring's force exceeds the
+    bound.
 
-    With the slip a times the force that is left, that force is spring / (1 + a stiffness), and a follows from
+    With a slip of a times the remaining force, that force is spring / (1 + a stiffness), and a follows from
     its magnitude, the bound. Newton's method for 1 / magnitude comes up to a from below in a handful of steps
     (A. R. Conn, N. I. M. Gould and P. L. Toint, Trust-Region Methods, 2000, 7.3); with a single stiffness the
     share is bound / magnitude.
@@ -175,14 +189,14 @@ def _damper_share(
 ) -> float:
     """Largest share 0..1 of the damper's force that keeps the sum with the spring's within its bound.
 
+    The larger root of |spring + share damper| = bound + share growth damper_u.
+
     Parameters
     ----------
     spring_u, spring_w : force of the spring, within the bound [N]
-    damper_u, damper_w : the whole force of the damper, too much for the bound [N]
+    damper_u, damper_w : the whole force of the damper, with which the sum exceeds the bound [N]
     bound : [N], at the spring's force alone
     growth : of the bound per force of the damper in u, -1 < growth < 1
-
-    The larger root of |spring + share damper| = bound + share growth damper_u.
     """
     square = damper_u * damper_u * (1.0 - growth * growth) + damper_w * damper_w
     half = spring_u * damper_u + spring_w * damper_w - bound * growth * damper_u
@@ -218,11 +232,22 @@ def wedge(
 
     so that in sliding |T| = mu Fs / (tan(a) - mu T_v/|T|): more when the bolster goes down (T_v > 0) than
     when it comes up. `tan_slope` must exceed `friction`, else the wedge jams, which
-    `vehicles.couplings.Wedge` refuses. Its eleven arguments are those of `dry_friction` and the wedge's own.
+    `vehicles.couplings.Wedge` refuses. Eleven arguments: those of `dry_friction` and the wedge's own.
 
     Spring, slider and damper of the sticking face are those of `dry_friction`, with this cone for the bound:
-    slip comes back to it in the direction of the friction, as Coulomb's law has it, and the damper takes what
-    room is left in it. Whatever the control spring's force does, the face gives back no more than it stored.
+    slip returns to it in the direction of the friction, as Coulomb's law demands, and the damper acts within
+    the remaining margin. For any course of the control spring's force the face returns no more energy than
+    it stored.
+
+    Parameters
+    ----------
+    compression, lateral : of the control spring, and displacement across the column [m]
+    slider_compression, slider_lateral : committed slider position [m]
+    compression_rate, lateral_rate : [m/s]
+    spring_stiffness : of the control spring [N/m]
+    tan_slope : tan(a) of the slope against the column [-], > `friction`
+    friction : coefficient mu of the column [-]
+    stick_stiffness, stick_damping : of the sticking face [N/m, N s/m]
 
     Returns
     -------

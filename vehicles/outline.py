@@ -1,8 +1,8 @@
 """Boxes of the bodies of a vehicle on its drawing, derived from its description.
 
-A description has no shapes, so the box of a body follows from other numbers: the car body of a vehicle
-that has the lengths of its outline by them; side frames, bolsters, bogie frames and what is held from outside
-by the points where they are coupled; the others as the cuboid of uniform density with their mass and inertia.
+A description has no shapes, so the box of a body follows from other numbers: of a car body from the outline
+lengths of the vehicle, if it has them; of side frames, bolsters, bogie frames and bodies in imposed motion
+from the points of their couplings; of all others from mass and inertia, as a cuboid of uniform density.
 """
 
 import numpy as np
@@ -11,16 +11,16 @@ from hh_exudyn.arrays import FloatArray
 from vehicles.couplings import Coupling, Vector
 from vehicles.description import Body, Vehicle
 
-RUNNING_CIRCLE = 0.75  # m, of the wheels' middle from the track's
+RUNNING_CIRCLE = 0.75  # m, lateral distance of the wheels' middle from the track centre
 WHEEL_WIDTH = 0.135  # m
-THINNEST = 0.12  # m, of a box
-COUPLER_REACH = 0.6  # m, of a coupler head before the body, where the length over the couplers alone is known
-FLOOR_GAP = 0.05  # m, of a floor over the wheels, where its height is not known
+THINNEST = 0.12  # m, shortest edge of a box
+COUPLER_REACH = 0.6  # m, from body end to coupler head, where only the length over couplers is known
+FLOOR_GAP = 0.05  # m, between wheels and floor, where the height of the floor is not known
 _FRAMES = ("side_frame", "bolster", "bogie_frame")  # kinds with a box around their couplings
 
 
 def body_box(vehicle: Vehicle, body: Body) -> tuple[FloatArray, FloatArray]:
-    """Two corners of the box that stands for a body (lowest and highest x, y, z) [m]."""
+    """Two corners of the box of a body (lowest and highest x, y, z) [m]."""
     if body.kind == "car_body" and (outline := _outline(vehicle, body)) is not None:
         return outline
     points = [point for other, point in attachments(vehicle) if other == body.name]
@@ -49,8 +49,13 @@ def vehicle_box(vehicle: Vehicle) -> tuple[FloatArray, FloatArray]:
 def uniform_cuboid(mass: float, inertia: Vector) -> FloatArray:
     """Edges [m] of the cuboid of uniform density with that mass [kg] and those principal inertias [kg m^2].
 
-    Ix = m (ly^2 + lz^2) / 12 and so on, solved for the edges; no edge is shorter than `THINNEST`, as
-    inertias that no cuboid has (a ring's) would need.
+    Ix = m (ly^2 + lz^2) / 12 and so on, solved for the edges; no edge is shorter than `THINNEST`, also
+    where no cuboid has such inertias (a ring).
+
+    Parameters
+    ----------
+    mass : [kg]
+    inertia : about x, y and z through the centre of mass [kg m^2]
     """
     of = np.array(inertia)
     squares = 6.0 * (of.sum() - 2.0 * of) / mass
@@ -67,7 +72,7 @@ def attachments(vehicle: Vehicle) -> list[tuple[str, Vector]]:
 
 
 def coupling_ends(coupling: Coupling) -> list[Vector]:
-    """The point of a coupling, or the two of one that has a length."""
+    """The point of a coupling, or both ends of a rod."""
     return [getattr(coupling, name) for name in ("point", "point_a", "point_b") if hasattr(coupling, name)]
 
 

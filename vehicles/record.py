@@ -14,11 +14,11 @@ class VehicleRecord:
     Attributes
     ----------
     name : str
-        By which case files and commands call it.
+        Its name in case files and commands.
     build : callable
-        The `Vehicle` from its name and its numbers; raises ValueError for numbers that make none.
+        The `Vehicle` from its name and its numbers; raises ValueError for impossible numbers.
     parameters : callable
-        Gives the numbers, mostly `hh_exudyn.sourced.load_parameters` of a file.
+        Returns the numbers, mostly `hh_exudyn.sourced.load_parameters` of a file.
     description : str
         One line.
     """

@@ -8,21 +8,21 @@ import numpy as np
 from vehicles.couplings import BumpStop, Rod
 from vehicles.description import Vehicle
 
-TOLERANCE = 1e-6  # of the weight: what no vertical forces can hold
+TOLERANCE = 1e-6  # of the weight: largest force or moment out of balance
 
 
 def axle_loads(vehicle: Vehicle) -> list[float]:
     """Static vertical forces of the wheelsets on the track [N], in the order of `Vehicle.wheelsets`.
 
     Every coupling that can carry weight does so at its point, so that force and pitching moment of every body
-    balance. Where the couplings leave that open, the forces with the least sum of squares are taken:
-    those of equal springs. Exact for bogie vehicles, whose loads do not depend on stiffness, and for vehicles
+    balance. Where that is statically indeterminate, the forces with the least sum of squares are taken,
+    as of equal springs. Exact for bogie vehicles, whose loads do not depend on stiffness, and for vehicles
     symmetric front to rear.
 
     Raises
     ------
     ValueError
-        The couplings cannot hold the vehicle by vertical forces: a body hangs on nothing.
+        The couplings cannot hold the vehicle by vertical forces: a body is not supported.
     """
     rows = {body.name: 2 * i for i, body in enumerate(vehicle.bodies)}
     count = len(vehicle.wheelsets)
@@ -46,7 +46,7 @@ def axle_loads(vehicle: Vehicle) -> list[float]:
 def _supports(vehicle: Vehicle) -> Iterator[tuple[str, str, float]]:
     """Bodies and place of every coupling that carries weight at rest.
 
-    That is no stop, no spring or damper without vertical stiffness, and of the rods those that stand.
+    Left out are bump stops, elements without vertical stiffness, and rods nearer to horizontal than vertical.
     """
     for coupling in vehicle.couplings:
         if isinstance(coupling, BumpStop):

@@ -1,4 +1,4 @@
-"""A vehicle as JSON and back: the copy in a run's folder, which later changes of data files do not touch."""
+"""A vehicle as JSON and back: the copy in a run's folder, independent of later changes of data files."""
 
 import json
 from dataclasses import asdict
@@ -10,7 +10,7 @@ from vehicles.couplings import Coupling
 from vehicles.description import Vehicle
 
 _TYPE = "type"  # key of a coupling's class
-_STRICT = ConfigDict(extra="forbid")  # a tuple around them: dataclasses take no config of their own
+_STRICT = ConfigDict(extra="forbid")  # of tuples around the dataclasses, which take no config themselves
 _ANY_COUPLING: Any = Union[tuple(Annotated[kind, Tag(kind.__name__)] for kind in get_args(Coupling))]  # noqa: UP007
 _TAGGED: Any = Annotated[_ANY_COUPLING, Discriminator(lambda entry: entry.pop(_TYPE))]
 _COUPLINGS: TypeAdapter[Any] = TypeAdapter(tuple[_TAGGED, ...], config=_STRICT)

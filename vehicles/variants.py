@@ -7,9 +7,9 @@
     friction = 0.35                 # in the unit that the base has
     preload = { value = 1500.0, unit = "N", source = "assumed: a worn wedge stands higher" }
 
-A number alone has the source "variant: <file>". Bases may be files on bases; what the files change is summed
-up on the vehicle of the catalogue at the end of the chain, so a `Variant` is a value that no file can change
-any more. Bad files raise ValueError of one line that begins with the file.
+A number alone has the source "variant: <file>". A base may be such a file itself; the changes of all files
+are merged onto the vehicle of the catalogue at the end of the chain, so a `Variant` no longer depends on
+files. Bad files raise ValueError of one line that begins with the file.
 """
 
 import tomllib

@@ -3,7 +3,7 @@
     directory/step-00000.npz    the wheel before the first step
     directory/step-00001.npz    after it: profile (y, z), radius, distance, measures
 
-A file appears under its name only when it is whole, so a loop that was killed leaves all finished steps.
+A file is renamed into place when it is complete, so a killed loop leaves all finished steps.
 """
 
 import os
@@ -33,7 +33,7 @@ class WearStep:
     radius
         At the running circle [m].
     depth
-        Largest depth that this step took [m]; 0 at the start.
+        Largest wear depth of this step [m]; 0 at the start.
     measures
         Of the profile.
     """
@@ -53,11 +53,11 @@ class WearHistory:
 
     @property
     def last(self) -> WearStep:
-        """The wheel as it is now."""
+        """The latest step."""
         return self.steps[-1]
 
     def to_table(self) -> pyarrow.Table:
-        """One row per step, for people: units are in the names of the columns."""
+        """One row per step, with units in the names of the columns."""
         columns: dict[str, list[float]] = {
             "distance_km": [1e-3 * step.distance for step in self.steps],
             "step_depth_mm": [1e3 * step.depth for step in self.steps],
@@ -76,7 +76,17 @@ class WearHistory:
 
 
 def write_step(directory: Path, number: int, step: WearStep) -> None:
-    """Write a step, whole or not at all."""
+    """Write a step, complete or not at all; `number` from 0 for the wheel before the first step.
+
+    Parameters
+    ----------
+    directory
+        Made if it does not exist.
+    number
+        Of the step, from 0.
+    step
+        The wheel after it.
+    """
     directory.mkdir(parents=True, exist_ok=True)
     path = directory / _PATTERN.format(number)
     unfinished = path.with_suffix(".tmp")
@@ -89,7 +99,7 @@ def write_step(directory: Path, number: int, step: WearStep) -> None:
 
 
 def read_history(directory: Path | str) -> WearHistory:
-    """All steps in a directory, in order; none where there are none.
+    """All steps in a directory, in order; an empty history for an empty directory.
 
     Raises
     ------

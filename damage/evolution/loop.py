@@ -1,8 +1,8 @@
-"""`evolve`: wear a wheel step by step until it has run a distance.
+"""`evolve`: wear of a wheel profile, step by step, over a distance.
 
 The wear comes from the caller: `wear_of(profile)` may run simulations with the profile, or give a synthetic
-rate. A step ends where the deepest place has lost `StepControl.max_depth` or where
-`StepControl.max_distance` is run, whichever comes first; then the profile is updated (T. Jendel, Prediction
+rate. A step ends at a largest depth of `StepControl.max_depth` or at the distance
+`StepControl.max_distance`, whichever comes first; then the profile is updated (T. Jendel, Prediction
 of wheel profile wear - comparisons with field measurements, Wear 253 (2002); Hossein-Nia 2018, figure 3-25).
 """
 
@@ -21,7 +21,7 @@ from hh_exudyn.contact.profile import Profile
 
 Progress = Callable[[float, str], None]
 
-_LAST = 1e-9  # of the distance: a rest below it is rounding
+_LAST = 1e-9  # of the distance: a remainder below it is rounding
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,9 @@ def evolve(
     track: ConicityTrack | None = None,
     progress: Progress | None = None,
 ) -> WearHistory:
-    """The life of a wheel up to a distance; goes on where the directory's last step ends.
+    """The life of a wheel up to a distance.
+
+    It continues from the last step in the directory.
 
     Parameters
     ----------
@@ -137,7 +139,7 @@ def _next(
 
 
 def _check_same(directory: Path, start: WearStep, wheel: Profile, radius: float) -> None:
-    """A directory is continued with the wheel that it began with only."""
+    """Raise ValueError unless the directory began with this wheel."""
     same = np.array_equal(start.profile.y, wheel.y) and np.array_equal(start.profile.z, wheel.z)
     if not (same and start.radius == radius):
         raise ValueError(

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from hh_exudyn.contact.geometry.functions import TAPE_DISTANCE, equivalent_conicity
+from hh_exudyn.contact.functions import TAPE_DISTANCE, equivalent_conicity
 from hh_exudyn.contact.profile import Profile, rail_profile
 from hh_exudyn.contact.profiles.measures import (
     flange_angle,
@@ -22,7 +22,7 @@ def _standard_rail() -> Profile:
 
 @dataclass(frozen=True)
 class ConicityTrack:
-    """The track that equivalent conicity is computed on (EN 15302), with the same wheel on both sides.
+    """Track and amplitude for the equivalent conicity (EN 15302), with the same wheel on both sides.
 
     Attributes
     ----------
@@ -72,6 +72,15 @@ class WheelMeasures:
 
 def measure(wheel: Profile, radius: float, track: ConicityTrack) -> WheelMeasures:
     """Measure a wheel of some radius at its running circle [m].
+
+    Parameters
+    ----------
+    wheel
+        The wheel profile.
+    radius
+        At the running circle [m].
+    track
+        Rails, gauge and amplitude for the equivalent conicity.
 
     Raises
     ------

@@ -1,13 +1,13 @@
 """Wear depth per kilometre over a wheel profile, of one wheel or as the mean of several.
 
-A profile evolves by the wear of one wheel, or by a mean where wheels are taken for equals:
+A profile evolves by the wear of one wheel, or by the mean of a group of wheels:
 
-``"wheel"``       every wheel by itself
-``"wheelset"``    the two wheels of a wheelset: curves to the left are as many as curves to the right
-``"directions"``  the wheels of one side that are equally far from the leading and from the trailing end. On
-                  the way back along the same curve the last wheelset leads, and what was the outer wheel is
-                  the outer wheel still
-``"both"``        both at once: four wheels share their wear, and left and right are the same
+``"wheel"``       every wheel separately
+``"wheelset"``    the two wheels of a wheelset: as many curves to the left as to the right
+``"directions"``  the wheels of one side at equal distances from the leading and from the trailing end: runs
+                  in both directions over the same curves, where the last wheelset leads on the way back and
+                  the outer wheel remains the outer one
+``"both"``        both means: four wheels have the same wear
 """
 
 import math
@@ -69,7 +69,7 @@ class ProfileWear:
 def profile_wear(
     surface: WheelSurface, together: str = "wheel", wheels: Sequence[Wheel] | None = None
 ) -> dict[Wheel, ProfileWear]:
-    """Wear over the profile of every wheel of a surface, or the mean of those that wear together.
+    """Wear over the profile of every wheel of a surface, or the mean of its group.
 
     Parameters
     ----------
@@ -78,18 +78,18 @@ def profile_wear(
     together
         One of `TOGETHER`: see `damage.evolution.profile_wear`.
     wheels
-        Those that are asked for; None for all.
+        The wheels of the result; None for all.
 
     Returns
     -------
     dict
-        By wheel; wheels that wear together have the same depths.
+        By wheel; wheels of a group have the same depths.
 
     Raises
     ------
     ValueError
-        Another word for `together`, a surface that has not rolled, a wheel that it does not have, or one
-        that lacks the wheel it wears together with.
+        Unknown `together`, a surface that has not rolled, a wheel that it does not have, or one
+        without the other wheels of its group.
     """
     if together not in TOGETHER:
         raise ValueError(f"together = {together!r}, allowed are {', '.join(map(repr, TOGETHER))}")
@@ -135,13 +135,13 @@ def mean_wear(surface: WheelSurface) -> ProfileWear:
 
 
 def _ends(wheels: Sequence[Wheel]) -> dict[int, int]:
-    """First plus last number of each vehicle's wheelsets: less a number, it is that from the other end."""
+    """First plus last number of each vehicle's wheelsets; minus a number: that from the other end."""
     numbers = groupby(sorted((wheel.vehicle, wheel.wheelset) for wheel in wheels), lambda pair: pair[0])
     lists = {vehicle: [number for _, number in pairs] for vehicle, pairs in numbers}
     return {vehicle: found[0] + found[-1] for vehicle, found in lists.items()}
 
 
 def _increasing(lateral: FloatArray) -> FloatArray:
-    """Middles of bins, where those beyond the end of a profile's arc may lie on each other."""
+    """Middles of bins, made increasing: beyond the ends of a profile's arc several may coincide."""
     least = np.arange(lateral.size) * math.ulp(1.0)
     return np.maximum.accumulate(lateral) + least

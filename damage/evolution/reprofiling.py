@@ -1,15 +1,15 @@
 """Reprofiling: the smallest cut on the wheel lathe that restores a target profile.
 
 The wheel is turned about its axle with the flange back as the lateral reference, so a target may only move
-radially. It lies inside the metal that is left where its line, moved into the wheel by the cut, lies at or
-above that of the worn wheel; the smallest such cut is the largest height of the worn line above the target's,
-both with their running circles at z = 0:
+radially. It lies inside the remaining metal where its line, moved into the wheel by the cut, is nowhere
+outside that of the worn wheel; the smallest such cut is the largest height of the worn line above the
+target's, both with their running circles at z = 0:
 
     cut = max over y (z_worn - z_target),    diameter lost = 2 cut
 
-A flange that lost some thickness costs that times the tangent of the flange angle. This is why workshops
-keep targets with thinner flanges: given several, the one with the smallest cut is taken whose flange is as
-thick as is asked for.
+Restoring a loss of flange thickness takes a cut of that loss times the tangent of the flange angle. This is
+why workshops have targets with thinner flanges: of several, the one with the smallest cut is chosen among
+those with the required flange thickness.
 """
 
 from collections.abc import Sequence
@@ -22,7 +22,7 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.profiles.measures import flange_thickness
 
-_STEP = 0.05e-3  # m, of the lateral positions that are compared, beside the points of both profiles
+_STEP = 0.05e-3  # m, spacing of the compared lateral positions, in addition to the points of both profiles
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Reprofiling:
     cut
         Radius lost at the running circle [m].
     limited_at
-        Lateral position where target and worn profile touch: what the cut is due to [m].
+        Lateral position where target and worn profile touch, which determines the cut [m].
     turned_area
         Cross-section that is turned off [m^2].
     """
@@ -51,7 +51,7 @@ class Reprofiling:
 
     @property
     def diameter_lost(self) -> float:
-        """[m]."""
+        """Diameter lost by the cut [m]."""
         return 2.0 * self.cut
 
     def to_table(self) -> pyarrow.Table:
@@ -78,10 +78,8 @@ def reprofile(
 
     Parameters
     ----------
-    worn
-        The wheel as it is.
-    radius
-        At its running circle [m].
+    worn, radius
+        The worn wheel, and its radius at the running circle [m].
     targets
         The profile to restore; of several, the one with the smallest cut.
     least_flange_thickness
@@ -125,8 +123,8 @@ def _turned(worn: Profile, radius: float, target: Profile, least_cut: float) -> 
 def _compared(worn: Profile, target: Profile) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Lateral positions from the field side to the target's flange tip, and both heights there.
 
-    The flange back is the lathe's reference and does not wear: it is left out, and so is where the worn
-    profile does not reach on the field side, by up to 5 mm: measurements end early there.
+    Left out are the flange back, which is the lathe's reference and does not wear, and on the field side up
+    to 5 mm beyond the worn profile, where measurements end early.
     """
     for profile in (worn, target):
         if profile.kind != "wheel":

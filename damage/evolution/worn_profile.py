@@ -1,10 +1,10 @@
 """A step of wear: the profile moved into the wheel by the wear depth, along its normals.
 
-The wear of the step is smoothed, not the profile: a profile without wear stays the same to the last digit,
+The wear of the step is smoothed, not the profile: a profile without wear is unchanged to the last digit,
 however many steps are made, and a flange does not lose its radii to smoothing. The rule is that of measured
-profiles (`hh_exudyn.contact.profiles.smoothing`), put on the depth over the arc: place by place waves shorter
-than up to 10 mm (about a patch) are taken out, as long as the depth stays within a share of its largest
-value. The worn area stays the same, and places 5 mm from any wear do not move.
+profiles (`hh_exudyn.contact.profiles.smoothing`), applied to the depth over the arc: waves shorter than a
+local cut-off of up to 10 mm (about a patch) are removed, as far as the depth changes by no more than a share
+of its largest value. The worn area stays the same, and places 5 mm from any wear do not move.
 
 The number of points does not change: each moves by (-dz/ds, dy/ds) times the depth at its place.
 """
@@ -23,9 +23,9 @@ SMOOTHING = 0.05
 """Share of the largest depth that smoothing may change a depth by (mean over 1 mm): assumed. The bins of a
 simulated wear depth scatter by some per cent."""
 
-_SCALE = 0.1e-3  # m: the largest depth is smoothed as if it were this, so that smoothing is proportional
+_SCALE = 0.1e-3  # m, to which the largest depth is scaled for smoothing: so smoothing is proportional
 _LARGEST_SMOOTHING = 0.5
-_REACH = 0.5 * LONGEST_CUT_OFF  # beside what wears: farther off nothing is taken
+_REACH = 0.5 * LONGEST_CUT_OFF  # from the nearest wear; farther away the depth is 0
 
 
 def worn_profile(
@@ -54,8 +54,8 @@ def worn_profile(
     Raises
     ------
     ValueError
-        A rail, a number out of its range, or wear that leaves no valid profile: it folds over (too much at
-        once, or too steeply cut off), or no longer covers what contact needs.
+        A rail, a number out of its range, or wear that leaves no valid profile: it folds over (too deep or
+        too abrupt), or no longer covers the range of contact.
     """
     depth = step_depth(wheel, wear, distance, smoothing)
     s = arc_length(wheel.y, wheel.z)
@@ -65,11 +65,11 @@ def worn_profile(
     back = np.diff(y) <= 0.0
     if back.any():
         at = int(np.argmax(back))
+        change, along = 1e3 * np.ptp(depth[at : at + 2]), 1e3 * (s[at + 1] - s[at])
         raise ValueError(
             f"wheel profile {wheel.name!r} folds over at y = {1e3 * wheel.y[at]:.2f} mm when it wears by "
-            f"up to {1e3 * depth.max():.4g} mm in a step of {1e-3 * distance:.4g} km: the depth changes "
-            f"by {1e3 * np.ptp(depth[at : at + 2]):.4g} mm over {1e3 * (s[at + 1] - s[at]):.3g} mm there; "
-            "smaller steps or smoother wear are needed"
+            f"up to {1e3 * depth.max():.4g} mm in a step of {1e-3 * distance:.4g} km: the depth changes by "
+            f"{change:.4g} mm over {along:.3g} mm there; smaller steps or smoother wear are needed"
         )
     lost = float(np.interp(0.0, y, z) - np.interp(0.0, wheel.y, wheel.z))
     return Profile(wheel.name if name is None else name, "wheel", y, z - lost), lost
@@ -78,7 +78,7 @@ def worn_profile(
 def step_depth(
     wheel: Profile, wear: ProfileWear, distance: float, smoothing: float = SMOOTHING
 ) -> FloatArray:
-    """Depth that a step takes from every point of a profile [m]; parameters as `worn_profile`.
+    """(n,) wear depth of a step at every point of a profile [m]; parameters as `worn_profile`.
 
     Raises
     ------

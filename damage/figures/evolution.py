@@ -1,4 +1,4 @@
-"""A wheel profile over its life: the profiles, what wore off them, and their measures over the distance."""
+"""A wheel profile over its life: profiles, wear depth, and measures over the distance."""
 
 import numpy as np
 from matplotlib import colormaps
@@ -75,8 +75,13 @@ def measures_figure(history: WearHistory) -> Figure:
 def worn_depth(first: WearStep, step: WearStep) -> FloatArray:
     """Distance of a later profile inside the first one, along the normals at the first one's points [m].
 
-    Points of a profile keep their number in a step of wear, but slide along it where normals turn; what they
-    slid does not count.
+    The points of a profile keep their order in a step of wear but move along it where normals turn; that
+    tangential displacement does not count.
+
+    Parameters
+    ----------
+    first, step
+        The earlier and the later step of the same wheel.
     """
     y, z = _on_axle(first, step)
     s = arc_length(first.profile.y, first.profile.z)

@@ -2,7 +2,7 @@
 
 Frame of `hh_exudyn.contact.normal.subsurface`, lengths over a and stresses over p0: rolling direction to the
 right, so that the leading edge is x/a = +1; the body lies below. Friction drives it in rolling direction, as
-a driven wheel, which is compressed in front and pulled behind.
+a driving wheel, which is compressed in front and in tension behind.
 """
 
 import math
@@ -19,7 +19,7 @@ from hh_exudyn.contact.normal.subsurface import line_contact_stress
 _REACH, _DEPTH = 2.0, 2.0  # shown along and below the surface, over a
 _STEP = 0.02  # between contours, over p0
 _ONE, _OTHER, _THIRD = "#8c2d04", "#2b5c8a", "#4d4d4d"
-_SURFACE_BY = 0.39  # friction at which the surface is the place for certain: it is from 0.376 on
+_SURFACE_BY = 0.39  # friction with the maximum safely at the surface, where it is from 0.376 on
 
 
 def principal_shear_figure(friction: Sequence[float] = (0.0,)) -> Figure:
@@ -67,8 +67,8 @@ def principal_shear_figure(friction: Sequence[float] = (0.0,)) -> Figure:
 def surface_stress_figure() -> Figure:
     """Stresses of the traction of full slip on the surface, over mu p0 (equation 3.10, figure 3-5).
 
-    The pressure adds the same to sigma_x and sigma_z inside the patch, and nothing to the others: it is
-    taken off.
+    Without those of the pressure, which adds equal parts to sigma_x and sigma_z inside the patch and
+    nothing to the others.
     """
     x = np.linspace(-2.0, 2.0, 801)
     field = line_contact_stress(x, 0.0, 1.0, 1.0, 1.0)

@@ -6,21 +6,21 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from damage.log_input.contact_states import ContactSource, contact_chunks
-from damage.log_input.states import PATCH_COLUMNS
+from damage.log_input.states import LOAD_COLUMNS
 from damage.material import ER7, WheelMaterial
 from damage.rcf.local import distributed_index, local_indices
 from hh_exudyn.arrays import FloatArray
 
 _COLUMNS = (
     *("time", "vehicle", "wheelset", "side", "y_wheel", "contact_angle", "force_x", "force_y"),
-    *PATCH_COLUMNS,
+    *LOAD_COLUMNS,
 )
 _CURVES = (
     ("global", "#7a7a7a", "--"),
     ("local, FaStrip", "#8c2d04", "-"),
     ("local, FASTSIM", "#2b5c8a", "-."),
 )
-_LOWEST = -0.2  # what lies far below shakedown is of no interest [-]
+_LOWEST = -0.2  # lower end of the axis: far below shakedown nothing is of interest [-]
 
 
 def local_index_figure(
@@ -33,8 +33,8 @@ def local_index_figure(
 ) -> Figure:
     """Fatigue index over the lateral position on the wheel at one time, a panel per wheel.
 
-    The largest value of every strip, as in figure 3-20 of Hossein-Nia (2018). The global index is spread over
-    the patch as the pressure is. Of patches side by side each is drawn by itself.
+    The largest value of every strip, as in figure 3-20 of Hossein-Nia (2018). The global index is distributed
+    over the patch like the pressure. Patches side by side are drawn separately.
 
     Close to saturation the order is global, FaStrip, FASTSIM, as in the thesis: FASTSIM's parabola is the
     highest in the middle of the patch (and fades first at its sides). Far from it FASTSIM, whose traction

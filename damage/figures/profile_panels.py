@@ -1,6 +1,6 @@
 """Wear and fatigue over the wheel profile, one panel per wheel.
 
-Every panel looks at the wheel profile in side coordinates: the flange is on the right in all of them.
+Every panel shows the wheel profile in side coordinates: the flange is on the right in all of them.
 """
 
 import math
@@ -15,7 +15,7 @@ from damage.surface.wheel_surface import FLANGE, TREAD, Wheel
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT
 
-FLANGE_ROOT = 0.027  # where the flange begins if no profile is given: 15 degrees on S1002 [m]
+FLANGE_ROOT = 0.027  # lateral position of the flange root without a profile: 15 degrees on S1002 [m]
 _SHOWN = (-0.065, 0.060)  # lateral range of the panels [m]
 _BELOW = 0.75  # room below zero, for the profile, over the room above [-]
 _TREAD_COLOUR, _FLANGE_COLOUR, _CONTACT_COLOUR = "#8c2d04", "#2b5c8a", "#c9c9c9"
@@ -29,8 +29,8 @@ def wear_figure(
 ) -> Figure:
     """Wear depth over the wheel profile, one panel per wheel.
 
-    Flange wear much larger than that of the tread is drawn smaller, by the factor written in; the largest
-    depths of both are written in.
+    Flange wear much larger than that of the tread is drawn reduced; the panel gives the factor and the
+    largest depth of both.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def wear_figure(
     vehicle
         Number of the vehicle; None for the first.
     outer_side
-        Side of the outer wheels of the curve (+1 left, -1 right), to name them; None for no such names.
+        Side of the outer wheels of the curve (+1 left, -1 right), for their names; None for no such names.
     """
     figure, panels = _panels(report, vehicle, outer_side, "wear depth [mm per 1000 km]")
     y = report.surface.grid.lateral

@@ -16,7 +16,7 @@ def ratchetting_figure(found: Ratchetting, steel: RatchettingSteel, stress: Floa
     Parameters
     ----------
     found
-        Strains, noted at some numbers of cycles.
+        Strains at some numbers of cycles.
     steel
         Its strength and critical strain are drawn.
     stress

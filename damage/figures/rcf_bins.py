@@ -1,5 +1,5 @@
 """Fatigue over the profile: bars of 5 mm, one panel per wheel (Hossein-Nia 2018, figure 3-17 b),
-and the profile itself, the darker the more, for cases side by side (figure 3-18).
+and the profile shaded by it, for cases side by side (figure 3-18).
 """
 
 from collections.abc import Mapping
@@ -20,7 +20,7 @@ from hh_exudyn.conventions import LEFT
 
 BAR = 0.005  # width of a bar [m]
 _TREAD_COLOUR, _FLANGE_COLOUR = "#8c2d04", "#2b5c8a"
-_DARK = LinearSegmentedColormap.from_list(  # from a light grey: where nothing is there is still a profile
+_DARK = LinearSegmentedColormap.from_list(  # from light grey: the profile is visible without fatigue
     "dark", [(0.0, "0.92"), *((x, colormaps["YlOrBr"](0.1 + 0.9 * x)) for x in np.linspace(0.02, 1.0, 50))]
 )
 
@@ -30,8 +30,8 @@ def rcf_bins_figure(report: DamageReport, distance: float, vehicle: int | None =
 
     A bar is the mean over its width of the revolutions in which the place was beyond shakedown anywhere along
     the patch (local stress index SI > 0); the outline is that by the global index, FI_surf > 0 of the patch.
-    Partial slip brings cells beyond shakedown where the force of the whole patch does not, so bars stand
-    without outline; a patch with FI_surf > 0 counts over all its width, so outlines stand over bars.
+    In partial slip cells may be beyond shakedown while the patch as a whole is not: bars without an outline.
+    A patch with FI_surf > 0 counts over its whole width: outlines above the bars.
 
     Parameters
     ----------

@@ -35,7 +35,7 @@ def rcf_map_figure(
     Parameters
     ----------
     cases
-        Reports by the name that their panel gets; on the same bins.
+        Reports by the titles of their panels; on the same bins.
     wheel
         The wheel.
     distance
@@ -43,7 +43,7 @@ def rcf_map_figure(
     quantity
         "rcf_number" or "corrected_rcf_number".
     largest
-        End of the colour bar, which what exceeds it keeps [-]; None takes the largest number.
+        End of the colour bar [-]; larger numbers have its last colour. None takes the largest number.
 
     Raises
     ------
@@ -132,7 +132,7 @@ def _index(surface: WheelSurface, wheel: Wheel) -> int:
 
 
 def _shown(values: NDArray[np.float64]) -> slice:
-    """The bins across with more than a hundredth of the largest, as the eye sees it, and some beyond."""
+    """The bins across with more than a hundredth of the largest value, and a margin."""
     used = np.flatnonzero((values > 1e-2 * values.max()).any(axis=1))
     if used.size == 0:
         return slice(0, values.shape[0])
@@ -140,7 +140,7 @@ def _shown(values: NDArray[np.float64]) -> slice:
 
 
 def _white_to_dark() -> Colormap:
-    """Nothing is white, the least something is to be seen."""
+    """Colours with white for zero and a visible colour for the smallest number."""
     colours = colormaps["YlOrBr"](np.linspace(0.08, 1.0, 256))
     colours[0] = 1.0
     return ListedColormap(colours)
@@ -179,5 +179,5 @@ def _label(axes: NDArray[np.object_], surface: WheelSurface) -> None:
 
 
 def _number(value: float) -> str:
-    """A count for people, to three digits."""
+    """A count as text, to three digits."""
     return EngFormatter()(float(f"{value:.3g}"))

@@ -40,7 +40,7 @@ def line_contact_map() -> Figure:
 def partial_slip_map(friction: float = 0.5) -> Figure:
     """Limits of a line contact in partial slip over Q/P, and the one of full slip beside them (figure 3-11).
 
-    From the stresses of the whole body; thin lines are what the surface alone sets (3.14, 3.15).
+    From the stresses of the whole body; thin lines are the limits of the surface alone (3.14, 3.15).
 
     Parameters
     ----------

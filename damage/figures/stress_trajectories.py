@@ -1,7 +1,8 @@
 """Johnson's circles around the stress trajectories of a line contact: figures 3-9 and 3-12 of Hossein-Nia.
 
-Each curve is what a point at one depth runs through while the load rolls over it; a circle of radius k/p0
-that holds all of them is a load that is borne. S. Hossein-Nia, KTH 2018, after K.L. Johnson, Wear 190, 1995.
+Each curve is the course of the stresses of a point at one depth while the load rolls over it; a load is
+within the limit if a circle of radius k/p0 encloses all curves. S. Hossein-Nia, KTH 2018, after K.L. Johnson,
+Wear 190, 1995.
 """
 
 from collections.abc import Sequence
@@ -62,12 +63,7 @@ def partial_slip_figure(
     traction_ratio
         Q/P [-], -mu..mu.
     depths
-        Depths over a [-], >= 0.
-
-    Raises
-    ------
-    ValueError
-        An argument out of range.
+        As in `trajectories_figure`, and so are the errors.
     """
     if not friction > 0.0:
         raise ValueError(f"friction = {friction} [-] must be > 0")

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from damage.log_input.states import PATCH_COLUMNS, ContactStates, contact_states
+from damage.log_input.states import LOAD_COLUMNS, ContactStates, contact_states
 from damage.wear.archard import ArchardValues, archard, archard_depths, read_archard
 from damage.wear.jendel import MapValues
 from damage.wear.law import WearLaw
@@ -88,7 +88,7 @@ def _slipping_cells(
     material: Material,
 ) -> tuple[FloatArray, FloatArray]:
     """Sliding velocity [m/s] and pressure [Pa] of the cells that slip."""
-    a, b, force, nu_x, nu_y, phi, friction = (float(getattr(states, name)[row]) for name in PATCH_COLUMNS)
+    a, b, force, nu_x, nu_y, phi, friction = (float(getattr(states, name)[row]) for name in LOAD_COLUMNS)
     field = traction_field(theory, a, b, force, nu_x, nu_y, phi, friction, material, cells)
     slip = np.hypot(field.slip_x, field.slip_y)
     slips = slip > 0.0

@@ -16,7 +16,7 @@ _RATIO_COLOUR, _ENERGY_COLOUR = "#8c2d04", "#c9c9c9"
 def wear_ratio_figure(
     y: ArrayLike, ratios: Mapping[str, WearRatio], unit: str = "mm/J", factor: float = 1.0
 ) -> Figure:
-    """One panel a ratio: depth over energy, and behind it where the energy was that it was learnt from.
+    """One panel per ratio: depth over energy, and in the background the distribution of the energy behind it.
 
     Parameters
     ----------
@@ -27,7 +27,7 @@ def wear_ratio_figure(
     unit
         Of the ratio, times `factor`.
     factor
-        From the ratio's own unit to it [-].
+        Factor from the ratio's own unit to `unit` [-].
 
     Raises
     ------

@@ -10,7 +10,7 @@ from damage.material import ER7, WheelMaterial
 from damage.rcf.surface_index import FLANGE_CONTACT_ANGLE
 from damage.shakedown import point_contact_limit, working_points
 
-# starts dark enough for a cell with one working point to be seen on white
+# begins dark enough for a cell with one working point to be visible on white
 _DENSITY = LinearSegmentedColormap.from_list("density", colormaps["YlOrBr"](np.linspace(0.35, 1.0, 256)))
 _FLANGE_COLOUR = "#2b5c8a"
 
@@ -25,14 +25,10 @@ def shakedown_figure(
 
     Parameters
     ----------
-    run
-        A run, its directory, or its contact log as a table.
+    run, flange_angle, skip_bad_rows
+        As for `damage.shakedown.working_points.working_points`.
     material
         The wheel steel.
-    flange_angle
-        Contact angle above which a contact counts as flange contact [rad].
-    skip_bad_rows
-        Impossible rows are skipped; otherwise they raise.
     """
     points = working_points(run, material.shear_yield, flange_angle, skip_bad_rows)
     tread = ~points.flange

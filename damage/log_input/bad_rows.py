@@ -14,8 +14,8 @@ Chunk = dict[str, NDArray[np.float64]]
 Mask = NDArray[np.bool_]
 
 FRICTION_TOLERANCE = 0.01
-"""Creep forces may exceed friction times normal force by this part [-]: theories that sum over cells miss the
-limit by less than 1 % from 10 x 10 cells on; the demo's log stays below the limit itself."""
+"""Share by which creep forces may exceed friction times normal force [-]: theories that sum over cells miss
+the limit by less than 1 % from 10 x 10 cells on; the demo's log stays below the limit itself."""
 
 _SHOWN_TIMES = 3
 
@@ -43,7 +43,7 @@ class Fault:
 
 @dataclass
 class BadRows:
-    """Tally of the bad rows of a log, filled while it is read.
+    """Count of the bad rows of a log, filled while it is read.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ class BadRows:
     times
         The first times of bad rows [s], at most three; NaN where the time itself is the fault.
     faults
-        By kind; a row may have several.
+        Faults by kind; a row may have several.
     """
 
     total: int = 0

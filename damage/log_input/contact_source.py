@@ -62,7 +62,7 @@ def _table(arrays: Mapping[str, ArrayLike]) -> pyarrow.Table:
 
 
 def _parquet_files(path: Path) -> list[Path]:
-    """The Parquet files that a path stands for; none where it may be a run's directory."""
+    """The Parquet files of a path; none where it may be a run's directory."""
     if path.is_file():
         return [path]
     if not path.is_dir() or (path / "contact").is_dir() or (path / "case.toml").is_file():

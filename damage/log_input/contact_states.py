@@ -1,4 +1,4 @@
-"""The contact log as damage reads it: in chunks, checked for rows that no contact can have."""
+"""The contact log in chunks, checked for impossible rows."""
 
 from collections.abc import Iterator, Sequence
 
@@ -10,7 +10,7 @@ from damage.log_input.contact_source import ContactSource, batches
 from damage.log_input.states import ContactStates
 
 DAMAGE_COLUMNS = ContactStates._fields
-"""Columns of the contact log that damage takes."""
+"""Columns of the contact log that damage needs."""
 
 CHUNK_ROWS = 20_000  # bounds the memory of one chunk to a few megabytes
 
@@ -49,13 +49,13 @@ def sifted_chunks(
     rows: int = CHUNK_ROWS,
     bad_rows: BadRows | None = None,
 ) -> Iterator[tuple[Chunk, Chunk]]:
-    """Pairs of a chunk as it lies in the log and its good rows; parameters and errors as `contact_chunks`."""
+    """Pairs of a chunk of the log and its good rows; parameters and errors as `contact_chunks`."""
     found = BadRows() if bad_rows is None else bad_rows
     for batch in batches(source, columns, rows):
         chunk = _chunk(batch, columns)
         good = found.sift(chunk)
         if bad_rows is None and found.count:
-            continue  # the log is refused: what is left of it is read for the count
+            continue  # the log is refused: the remainder is read for the count only
         yield chunk, good
     if bad_rows is None and found.count:
         raise ValueError(f"contact log: {found}")

@@ -1,10 +1,10 @@
-"""The output times of a contact log: the interval that every row stands for, found while the log is read.
+"""The output times of a contact log: the output interval of every row, found while the log is read.
 
 The interval of a row ends at its time and begins at the output time before it, and the rows of one time share
-it. Both are known once a row of a later time has come. A log in order of time is therefore read once: a chunk
-waits until the next one has shown how many rows its last time has. Whatever the cut into chunks, two of them
-are in memory, and the intervals are the same. A log that is not in order of time is read twice, the first
-time for its times alone (`output_clock`).
+it. Both are known once a row of a later time has been read. A log in order of time is therefore read once: a
+chunk waits for the next one, which completes the rows of its last time. For any size of the chunks, two of
+them are in memory, and the intervals are the same. A log that is not in order of time is read twice, the
+first time for its times alone (`output_clock`).
 """
 
 from collections import deque
@@ -26,11 +26,11 @@ class OutOfOrder(Exception):
 
 
 class TimedStates(NamedTuple):
-    """Contact states of a piece of a log, with the time that they stand for."""
+    """Contact states of a piece of a log, with their output intervals."""
 
     states: ContactStates
     interval: FloatArray  # (n,) output interval of each row [s]
-    sharing: IntArray  # (n,) rows of the log that share it
+    sharing: IntArray  # (n,) number of rows of the log in that interval
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class OutputClock:
 
 
 class _Times:
-    """Times of the rows read so far: those that rows still wait for, and the one before them."""
+    """Times of the rows read so far: of the rows whose interval is still open, and the one before them."""
 
     def __init__(self) -> None:
         self.times: FloatArray = np.empty(0)
@@ -76,14 +76,14 @@ class _Times:
         self._before: float | None = None
 
     def add(self, times: FloatArray, good: FloatArray) -> None:
-        """Take the finite times of all rows, and the times of the good ones, which are those that count."""
+        """Add the finite times of all rows, and the times of the good rows, which share the intervals."""
         new = np.concatenate([self.times, times, good])
         count = np.concatenate([self.rows, np.zeros(times.size), np.ones(good.size)])
         self.times, place = np.unique(new, return_inverse=True)
         self.rows = np.bincount(place, weights=count, minlength=self.times.size).astype(np.int64)
 
     def forget(self, first: float) -> None:
-        """Drop the times before `first`, but for the last of them, from which an interval begins."""
+        """Drop the times before `first` except the last of them, at which an interval begins."""
         gone = int(np.searchsorted(self.times, first))
         if gone:
             self._before = float(self.times[gone - 1])
@@ -108,7 +108,7 @@ def output_clock(source: ContactSource, skip_bad_rows: bool = False) -> OutputCl
     source
         The contact log.
     skip_bad_rows
-        Bad rows do not count among the rows at a time; the time itself stays, unless it is NaN or infinite.
+        Bad rows do not count among the rows at a time; the time itself counts, unless it is NaN or infinite.
 
     Raises
     ------
@@ -127,19 +127,15 @@ def timed_states(
     bad_rows: BadRows | None = None,
     clock: OutputClock | None = None,
 ) -> Iterator[TimedStates]:
-    """The contact log in pieces, each row with the interval it stands for, in one pass.
+    """The contact log in pieces, each row with its output interval, in one pass.
 
     Parameters
     ----------
-    source
-        The contact log.
-    rows
-        Largest number of rows of a piece.
-    bad_rows
-        Impossible rows are skipped and counted in it; None raises.
+    source, rows, bad_rows
+        As for `damage.log_input.contact_states.contact_chunks`.
     clock
         Output times of the whole log where `source` is a piece of it, or is not in order of time; None finds
-        them on the way.
+        them while reading.
 
     Raises
     ------

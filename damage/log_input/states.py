@@ -1,7 +1,7 @@
-"""Contact states as a record of arrays: the columns of the contact log that damage takes, by name.
+"""Contact states as a record of arrays: the columns of the contact log that damage needs, by name.
 
-The names and units are those of the log's channel table. The record goes into the kernels as it is, and
-`patch_of` makes of a row the patch that a tangential theory solves.
+Names and units are those of the log's channel table. Kernels take the record itself, and `patch_of` makes the
+patch of a row, for a tangential theory.
 """
 
 from collections.abc import Iterable, Mapping
@@ -44,18 +44,18 @@ class ContactStates(NamedTuple):
     moment_z: FloatArray
 
 
-PATCH_COLUMNS = ("a", "b", "normal_force", "nu_x", "nu_y", "phi", "friction")
-"""Columns that stress and slip of a patch follow from."""
+LOAD_COLUMNS = ("a", "b", "normal_force", "nu_x", "nu_y", "phi", "friction")
+"""Columns that determine stress and slip of a patch."""
 
-WEAR_COLUMNS = (*PATCH_COLUMNS, "speed", "rolling_radius")
-"""Columns that its wear follows from."""
+WEAR_COLUMNS = (*LOAD_COLUMNS, "speed", "rolling_radius")
+"""Columns that determine its wear."""
 
 _ABOVE_ZERO = ("speed", "rolling_radius")
 _NOT_BELOW_ZERO = ("a", "b", "normal_force", "friction")
 
 
 class Elastic(NamedTuple):
-    """Elastic constants of wheel and rail as the kernels take them."""
+    """Elastic constants of wheel and rail, for the kernels."""
 
     shear_modulus: float  # [Pa]
     poisson_ratio: float
@@ -63,7 +63,17 @@ class Elastic(NamedTuple):
 
 @inlined_kernel
 def patch_of(states: ContactStates, row: int, elastic: Elastic) -> RollingPatch:
-    """The patch of a contact state."""
+    """The patch of a contact state, by its row (kernel).
+
+    Parameters
+    ----------
+    states
+        Contact states, (n,) each.
+    row
+        Number of the state, from 0.
+    elastic
+        Elastic constants.
+    """
     return RollingPatch(
         states.a[row], states.b[row], states.normal_force[row], states.nu_x[row], states.nu_y[row],
         states.phi[row], states.friction[row], elastic.shear_modulus, elastic.poisson_ratio,
@@ -73,12 +83,12 @@ def patch_of(states: ContactStates, row: int, elastic: Elastic) -> RollingPatch:
 def contact_states(
     given: Mapping[str, Any] | pyarrow.Table, columns: Iterable[str] = WEAR_COLUMNS
 ) -> ContactStates:
-    """Contact states from numbers, arrays or a contact log's table; the columns not asked for are NaN.
+    """Contact states from numbers, arrays or a contact log's table; columns not requested are NaN.
 
     Parameters
     ----------
     given
-        Numbers or (n,) arrays by the name of the column; further columns are passed over.
+        Numbers or (n,) arrays by the name of the column; further columns are ignored.
     columns
         Names of the columns that are needed.
 

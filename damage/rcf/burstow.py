@@ -1,4 +1,4 @@
-"""Burstow's correction: the share of the counted fatigue that remains where wear takes the cracks away.
+"""Burstow's correction: the share of the counted fatigue that remains where wear removes the cracks.
 
 M.C. Burstow, Whole life rail model application and development for RSSB, AEA Technology 2004 (as in
 Hossein-Nia 2018, equations 3.33 and 3.34 with the text around figures 3-27 to 3-29). Energy per distance that
@@ -7,8 +7,8 @@ strength in shear, bounds the regimes:
 
     E_i = nu_i A (yield strength + tensile strength) / (2 sqrt 3)                                       (3.33)
 
-In a cell the energy of equation 3.34 is held against E_i / A: up to E_1 its count stays, from E_1 to E_2 it
-falls linearly to zero, and beyond E_2 there is nothing left to count. Only cells that slip are corrected, as
+In a cell the energy of equation 3.34 is compared with E_i / A: up to E_1 the count is unchanged, from E_1 to
+E_2 it falls linearly to zero, beyond E_2 it is zero. Only cells that slip are corrected, as
 cells that stick do not wear. If the patch as a whole loses more than the global E_2, none of its cells count.
 """
 
@@ -28,7 +28,7 @@ PATCH_AREA = 100e-6
 
 
 class BurstowLimits(NamedTuple):
-    """Thresholds as the kernels take them."""
+    """Thresholds, for the kernels."""
 
     high: float  # E_2 / A [Pa = J/m per m^2]
     per_range: float  # 1 / (E_2 - E_1) times A [1/Pa]
@@ -46,7 +46,7 @@ class Burstow:
     creepages
         Of the three turning points, rising [-].
     area
-        Area of a patch that the global threshold belongs to [m^2].
+        Area of the patch of the global threshold [m^2].
 
     Raises
     ------
@@ -104,5 +104,13 @@ class Burstow:
 
 @inlined_kernel
 def remaining(energy: float, limits: BurstowLimits) -> float:
-    """Share of a count that wear leaves in a cell that slips [-]; energy per distance and area [Pa]."""
+    """Remaining share 0..1 of a count in a cell that slips (kernel).
+
+    Parameters
+    ----------
+    energy
+        Energy lost per distance rolled and area in the cell, equation 3.34 [Pa].
+    limits
+        The thresholds.
+    """
     return min(max((limits.high - energy) * limits.per_range, 0.0), 1.0)

@@ -6,9 +6,9 @@ Two relations between an index and the cycles to failure, both a power Nf = coef
          2018, 3.18), so D = 1/Nf = (FI/1.78)^4 = FI^4/10.04 a revolution, which equations 3.19 and 3.20
          round to FI^4/10.
 `DIRKS`  Nf = 9.6e5 sigma^-1.06 with sigma in MPa (3.24), here the stress index. Its numbers were fitted to
-         cracks of RAILS (five years in a curve of the Dutch railways), and Dirks had to fit one of them anew
-         for wheels. On wheels it ranks places; for lives fit it (`fitted_relation`). The fit is to one index:
-         with the energy index (3.34) in its place it needs numbers of its own.
+         cracks of RAILS (five years in a curve of the Dutch railways), and Dirks fitted one of them anew for
+         wheels. On wheels it ranks places; for lives it must be fitted (`fitted_relation`). The numbers hold
+         for this index; for the energy index (3.34) others are needed.
 
 Damage adds up by Miner's rule, lateral position by lateral position, and is 1 at failure. An index of zero or
 below does no damage.
@@ -28,17 +28,21 @@ from damage.surface.lateral_grid import LateralGrid, spread
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import kernel
 
+_UNITS = {"fatigue_index": "-", "stress_index": "Pa"}  # of the indices that a relation may take
+
 
 @dataclass(frozen=True)
 class LifeRelation:
-    """Cycles to failure Nf = coefficient (index/unit)^exponent.
+    """Relation between a fatigue index and life.
+
+    Cycles to failure Nf = coefficient (index/unit)^exponent.
 
     Attributes
     ----------
     name
-        Of the relation.
+        Name of the relation.
     index
-        The index that it takes: "fatigue_index" (FI [-]) or "stress_index" (SI [Pa]), as in `LocalFatigue`.
+        Its index: "fatigue_index" (FI [-]) or "stress_index" (SI [Pa]), as in `LocalFatigue`.
     unit
         Unit of the index that the coefficient is for: 1 for FI, 1e6 Pa for SI in MPa.
     coefficient
@@ -46,7 +50,7 @@ class LifeRelation:
     exponent
         [-], < 0.
     calibrated_for
-        Bodies that the numbers were measured on.
+        Bodies of the measurements.
     source
         Publication of the numbers.
 
@@ -65,11 +69,10 @@ class LifeRelation:
     source: str
 
     def __post_init__(self) -> None:
-        if self.index not in ("fatigue_index", "stress_index"):
-            raise ValueError(
-                f"index = {self.index!r} of {self.name}; allowed are 'fatigue_index' and 'stress_index'"
-            )
-        check_above_zero("unit", self.unit, "-" if self.index == "fatigue_index" else "Pa", self.name)
+        if self.index not in _UNITS:
+            allowed = " and ".join(map(repr, _UNITS))
+            raise ValueError(f"index = {self.index!r} of {self.name}; allowed are {allowed}")
+        check_above_zero("unit", self.unit, _UNITS[self.index], self.name)
         check_above_zero("coefficient", self.coefficient, "-", self.name)
         if not (math.isfinite(self.exponent) and self.exponent < 0.0):
             raise ValueError(f"exponent = {self.exponent} of {self.name} must be finite and < 0")
@@ -124,9 +127,9 @@ def fitted_relation(
     name, index, unit, calibrated_for, source
         As in `LifeRelation`.
     measured
-        (n,) index that the places were loaded with, > 0.
+        (n,) index at the measured places, > 0.
     cycles
-        (n,) cycles until they failed, > 0.
+        (n,) their cycles to failure, > 0.
 
     Raises
     ------
@@ -176,7 +179,7 @@ class MinerSum:
 
     @property
     def revolutions_to_failure(self) -> FloatArray:
-        """(B,) revolutions at which the sum reaches 1 if all goes on as it did [-]."""
+        """(B,) revolutions at which the sum reaches 1 at the same rate of damage [-]."""
         with np.errstate(divide="ignore"):
             life: FloatArray = self.revolutions / self.damage
         return life if self.revolutions > 0.0 else np.full(self.damage.size, np.inf)
@@ -202,7 +205,7 @@ def miner_sum(
     relation: LifeRelation = KABO,
     grid: LateralGrid = LateralGrid(),  # noqa: B008 (frozen)
 ) -> MinerSum:
-    """Damage that contact states do to the profile of one wheel, strip by strip (3.20).
+    """Miner's sum of contact states over the profile of one wheel, strip by strip (3.20).
 
     Parameters
     ----------
@@ -215,7 +218,7 @@ def miner_sum(
     stretch
         Length on the grid over length across the patch: cos(contact angle) in the lateral coordinate [-].
     revolutions
-        Revolutions that each state stands for, V dt / (2 pi r) [-], >= 0.
+        Revolutions in the interval of each state, V dt / (2 pi r) [-], >= 0.
     wheel_revolutions
         Revolutions of the wheel in all (states of patches side by side share theirs) [-], >= 0.
     relation
@@ -277,7 +280,7 @@ class CrackShape:
     failure_surface_length
         Mouth rho_f of a crack at failure [m].
     failure_damage
-        Damage D_f that belongs to it [-]; 1 by Miner.
+        Damage D_f at failure [-]; 1 by Miner.
     mouth_ratio
         r = 2 rho/L [-].
     angle
@@ -303,6 +306,15 @@ class CrackShape:
     @classmethod
     def from_crack(cls, surface_length: float, length: float, depth: float, damage: float) -> "CrackShape":
         """The shape of a measured crack (mouth, length and depth [m]) at its computed damage [-].
+
+        Parameters
+        ----------
+        surface_length
+            Mouth of the crack [m].
+        length, depth
+            Along the crack and normal to the surface [m].
+        damage
+            Miner's sum at the place of the crack [-].
 
         Raises
         ------

@@ -5,12 +5,12 @@ In every cell, with traction q and pressure p of a tangential theory and the yie
     SI = |q| - k                       Dirks et al.; Hossein-Nia (2018), equation 3.21
     FI_local = |q|/p - k/p = SI/p      ibid., equation 3.17 (printed with Q and P: it is stress by stress)
 
-Both are above zero in the same cells: those that ratchet. The pressure is the theory's own, so |q|/p never
+Both are above zero in the same cells: those in ratchetting. The pressure is the theory's own, so |q|/p never
 exceeds the friction: elliptic with FaStrip, parabolic with 4/3 of Hertz's peak with "fastsim", whose larger
 stresses in the middle of the patch make its indices larger.
 
-Where p fades at the edge of the patch, |q| <= mu p fades too, and FI_local -> -infinity as -k/p. A cell
-without pressure counts as -infinity. The largest value of a strip comes from its inside all the same.
+Towards the edge of the patch p tends to 0, |q| <= mu p with it, and FI_local -> -infinity as -k/p. A cell
+without pressure has -infinity. The largest value of a strip lies in its interior.
 
 `distributed_index` is the global counterpart (equation 3.16): one ratio Q/P for all cells.
 """
@@ -26,14 +26,14 @@ from numpy.typing import ArrayLike
 
 from damage.bounds import check_above_zero
 from damage.cells import cell_middles
-from damage.log_input.states import PATCH_COLUMNS, ContactStates, Elastic, contact_states, patch_of
+from damage.log_input.states import LOAD_COLUMNS, ContactStates, Elastic, contact_states, patch_of
 from damage.material import WheelMaterial
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel
 from hh_exudyn.contact.types import Fields
 from hh_exudyn.kernel import kernel
 
-_ROUNDED_UP = 1.0 + 1e-14  # so that a cell does not exceed itself by rounding
+_ROUNDED_UP = 1.0 + 1e-14  # margin: a cell must not exceed its own value by rounding
 
 
 @dataclass(frozen=True)
@@ -43,10 +43,10 @@ class LocalFatigue:
     Attributes
     ----------
     y
-        (n, strips), as what follows: middle of the strips, lateral from the contact's place in the contact
-        frame, to the left [m]. On the wheel profile it lies at y_wheel - side y cos(contact_angle).
+        (n, strips), like the following two: middle of the strips in the contact frame, to the left of the
+        contact's place [m]. On the wheel profile it lies at y_wheel - side y cos(contact_angle).
     stress_index
-        Largest SI [Pa], >= -k; -k where nothing is transmitted.
+        Largest SI [Pa], >= -k; -k without traction.
     fatigue_index
         Largest FI_local [-]; -infinity where there is no pressure.
     width
@@ -101,7 +101,7 @@ def strip_indices(
             index = (math.sqrt(square) - shear_yield) / pressure[cell]  # (3.17)
             if index > best and pressure[cell] > 0.0:
                 best, worst = index, cell
-        # Neighbouring strips are alike: mostly no other cell has more, which a sum of comparisons tells fast.
+        # Neighbouring strips are alike: mostly no other cell has more, as a fast sum of comparisons shows.
         # (|q| - k)/p > best without root and division: needed may be below zero, then every |q| is more
         more = 0
         for cell in range(cells_x):
@@ -123,17 +123,17 @@ def strip_indices(
 
 @kernel
 def strip_fatigue(fields: Fields, shear_yield: float, friction: float, fatigue_index: FloatArray) -> None:
-    """Largest FI_local of every strip as far as it is above zero, else zero (kernel, trusts its input).
+    """Largest FI_local of every strip, zero where none is above zero (kernel, trusts its input).
 
     A faster `strip_indices` for the loop over a log: where friction times the pressure in a strip's
-    middle, its largest, is below k, no cell can have any.
+    middle, its largest, is below k, no cell has an index above zero.
 
     Parameters
     ----------
     fields, shear_yield, fatigue_index
         As `strip_indices`.
     friction
-        No |q|/p is above it [-].
+        Friction coefficient, bound of |q|/p [-].
     """
     cells_y, cells_x = fields.pressure.shape
     worst = cells_x // 2  # cell with the largest of the strip before
@@ -141,7 +141,7 @@ def strip_fatigue(fields: Fields, shear_yield: float, friction: float, fatigue_i
         pressure, q_x, q_y = fields.pressure[strip], fields.q_x[strip], fields.q_y[strip]
         best = 0.0
         if _ROUNDED_UP * friction * pressure[cells_x // 2] > shear_yield:
-            # Uphill from there: (|q| - k)/p > best without root and division, which only a better cell takes
+            # From there towards larger values; root and division of (|q| - k)/p for a better cell only
             for direction in (0, -1, 1):
                 cell = worst + direction
                 while 0 <= cell < cells_x:
@@ -153,7 +153,7 @@ def strip_fatigue(fields: Fields, shear_yield: float, friction: float, fatigue_i
                     if direction == 0:
                         break
                     cell += direction
-            more = 0  # mostly that is the top, which a sum of comparisons tells fast
+            more = 0  # mostly that is the largest, as a fast sum of comparisons shows
             for cell in range(cells_x):
                 square = q_x[cell] * q_x[cell] + q_y[cell] * q_y[cell]
                 needed = shear_yield + best * pressure[cell]
@@ -193,8 +193,8 @@ def local_indices(
     Parameters
     ----------
     states
-        The columns `damage.log_input.states.PATCH_COLUMNS`, numbers or (n,) arrays, as a mapping or a contact
-        log's table; other columns are passed over.
+        The columns `damage.log_input.states.LOAD_COLUMNS`, numbers or (n,) arrays, as a mapping or a contact
+        log's table; other columns are ignored.
     material
         The wheel steel: k and the elastic constants.
     theory
@@ -211,7 +211,7 @@ def local_indices(
         raise ValueError(f"theory = {theory!r}; theories with a stress field: {', '.join(FIELD_THEORIES)}")
     if min(cells) < 1:
         raise ValueError(f"cells = {cells} must be at least 1 along and across")
-    columns = contact_states(states, PATCH_COLUMNS)
+    columns = contact_states(states, LOAD_COLUMNS)
     nx, ny = int(cells[0]), int(cells[1])
     stress_index, fatigue_index = np.empty((2, columns.a.size, ny))
     elastic = Elastic(material.elastic.shear_modulus, material.elastic.poisson_ratio)
@@ -240,14 +240,9 @@ def distributed_index(
 
     Parameters
     ----------
-    force_x, force_y
-        Creep forces [N], scalars or (n,).
-    normal_force
-        [N], > 0.
-    a, b
-        Semi-axes [m], > 0.
-    shear_yield
-        k [Pa], > 0.
+    force_x, force_y, normal_force, a, b, shear_yield
+        As for `damage.rcf.surface_index.surface_fatigue_index`, scalars or (n,); the normal force and the
+        semi-axes > 0.
     strips
         Strips across the patch, as the cells of `local_indices`.
 

@@ -1,14 +1,15 @@
-"""The RCF number: in how many revolutions of the wheel a place of patch and profile lay beyond shakedown.
+"""The RCF number: revolutions of the wheel in which a place of patch and profile lay beyond shakedown.
 
-Threshold counting (Hossein-Nia 2018, section 3.3): every contact state adds one revolution's worth of counts
-to the cells with SI = |q| - k > 0 (equation 3.21). The places are bins, across over the wheel profile and
-along the rolling direction fixed to the patch; a bin that is covered in part gets that part of the count, so
+Threshold counting (Hossein-Nia 2018, section 3.3): every contact state adds its revolutions to the cells with
+SI = |q| - k > 0 (equation 3.21). The places are bins, across over the wheel profile and
+along the rolling direction fixed to the patch; a bin covered in part gets that share of the count, so
 the sum over bins times their area is revolutions times the area beyond shakedown. The same is counted with
 Burstow's correction (`damage.rcf.burstow`), and the energy lost in each bin is summed,
 
     e = -(q_x (nu_x - phi y) + q_y (nu_y + phi x))    [J per metre rolled and m^2 = Pa]               (3.34)
 
-with the rigid slip of the creepages: the slip's elastic part changes where the energy is lost, not how much.
+with the rigid slip of the creepages: the elastic part of the slip changes the distribution of the energy, not
+its sum.
 """
 
 import math
@@ -24,7 +25,7 @@ from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import inlined_kernel, kernel
 
 COUNTED, CORRECTED, ENERGY = 0, 1, 2  # columns of the counts and, twice, of the work spaces
-COLUMNS = 4  # the last stays zero: four numbers side by side are one vector of the processor
+COLUMNS = 4  # the last stays zero: four numbers in a row are one vector of the processor
 PAIR = 2 * COLUMNS  # of a strip, and again of its mirror image
 
 
@@ -38,7 +39,7 @@ class Bins(NamedTuple):
 
 
 class Spot(NamedTuple):
-    """Place of a patch on the bins, and the rolling that its contact state stands for."""
+    """Place of a patch on the bins, and the rolling in the interval of its contact state."""
 
     position: float  # of its middle in the coordinate of the bins across [m]
     across: float  # of a metre along its y axis, to the left, in that coordinate [-]; < 0 on a left wheel
@@ -49,18 +50,24 @@ class Spot(NamedTuple):
 class CountWork(NamedTuple):
     """Work space for one patch.
 
-    Two strips as far to the left and to the right of the middle are equally long: they are binned together.
+    Two strips at equal distances left and right of the middle have the same length and are binned together.
     """
 
     along: FloatArray  # (nx,) middles of the cells along a strip over its half length [-]
     cells: FloatArray  # (2, nx * COLUMNS) of two strips, cell by cell
-    sums: FloatArray  # (nx + 1, PAIR) sums of the cells behind each edge between them
+    sums: FloatArray  # (nx + 1, PAIR) running sums of the cells up to each edge, from the trailing end
     bins: FloatArray  # (pairs, 2, X, COLUMNS) sums of the cells in each bin along, with parts of cells
     touched: NDArray[np.int64]  # (pairs, 2) first bin of each pair, and one beyond the last
 
 
 def count_work(cells: tuple[int, int], bins_along: int) -> CountWork:
-    """Work space for patches of `cells` (along, across) on a number of bins along the patch."""
+    """Work space for patches of `cells` (along, across) on a number of bins along the patch.
+
+    Parameters
+    ----------
+    cells, bins_along
+        Cells of a patch along and across, and bins along it.
+    """
     nx, ny = cells
     pairs = (ny + 1) // 2
     return CountWork(
@@ -87,7 +94,7 @@ def _judge_strip(
 ) -> None:
     """Count, corrected count and energy of the cells of a strip at y/b = lateral; image 1 is the mirror's.
 
-    Without `counting` there is nothing but energy: no cell is beyond the shear yield.
+    Without `counting` only the energy is computed: no cell is beyond the shear yield.
     """
     against_x, against_y = patch.phi * patch.b * lateral - patch.nu_x, -patch.nu_y  # the rigid slip, reversed
     turn = -patch.phi * half_length
@@ -114,8 +121,8 @@ def _judge_strip(
 def _bin_pair(pair: int, half_length: float, bins: Bins, work: CountWork) -> None:
     """Sum the cells of two strips of the same length over each bin along them.
 
-    The columns are written out one by one, all read before any is written: only so does the compiler see
-    that they are two vectors.
+    The columns are written out one by one, all read before any is written: only then does the compiler
+    use two vectors.
     """
     cells, mirrored, sums, result = work.cells[0], work.cells[1], work.sums, work.bins[pair, 0]
     mirrored_result = work.bins[pair, 1]
@@ -196,14 +203,14 @@ def count_patch(
     limits
         Burstow's thresholds.
     spot
-        Place of the patch, and the revolutions that it stands for.
+        Place of the patch, and its revolutions.
     bins
         The bins; the patch lies on them.
     work
         Work space.
     counts
         (bins across, bins along, COLUMNS) result, added to: revolutions with SI > 0 [-]; the same after
-        Burstow's correction [-]; the sum over the revolutions of e [Pa]; and nothing.
+        Burstow's correction [-]; the sum over the revolutions of e [Pa]; zero.
     """
     cells_y, cells_x = fields.pressure.shape
     total = 0.0

@@ -2,7 +2,7 @@
 
 A. Kapoor and F.J. Franklin, Tribological layers and the wear of ductile materials, Wear 245 (2000);
 Hossein-Nia (2018), equations 3.25 and 3.26. A layer whose largest orthogonal shear stress exceeds its
-strength creeps on with every cycle,
+strength gains plastic strain with every cycle,
 
     dgamma/dN = C (tau_zx,max(z)/k_eff - 1)  where positive
     k_eff = k0 max(1, beta sqrt(1 - exp(-alpha gamma)))
@@ -11,10 +11,10 @@ and fails at the critical strain. Layers do not act on one another. The strain p
 and integrated by scipy's pair of Bogacki and Shampine (third order, its error estimated by the second), all
 layers at once, from one failure or wear-off of a layer to the next: millions of cycles in some hundred steps.
 
-Wear carries layers to the surface: the layer at depth z lies at z - wear N after N cycles, feels the stress
-of that depth, and is gone when it arrives.
+Wear brings layers to the surface: the layer at depth z lies at z - wear N after N cycles, has the stress of
+that depth, and is worn off at depth 0.
 
-Every number but C comes without a confirmed source; see `RatchettingSteel`.
+No number but C has a confirmed source; see `RatchettingSteel`.
 """
 
 import math
@@ -30,7 +30,7 @@ from damage.bounds import check_above_zero, check_not_below_zero
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.normal.subsurface import line_contact_stress
 
-_PLACES = 401  # along x, in each of the two passes that seek the largest shear stress
+_PLACES = 401  # along x, in each of the two passes of the search for the largest shear stress
 _ROUNDING = 1e-12  # of strains, relative
 
 
@@ -77,12 +77,20 @@ class RatchettingSteel:
         return strength
 
     def strain_per_cycle(self, stress: ArrayLike, strain: ArrayLike) -> FloatArray:
-        """dgamma/dN [-] under a largest orthogonal shear stress [Pa] at a strain reached (3.25)."""
+        """dgamma/dN [-] under a largest orthogonal shear stress [Pa] at a plastic strain [-] (3.25).
+
+        Parameters
+        ----------
+        stress
+            Largest orthogonal shear stress [Pa].
+        strain
+            Plastic shear strain reached [-].
+        """
         step: FloatArray = self.rate * np.maximum(np.asarray(stress) / self.strength(strain) - 1.0, 0.0)
         return step
 
     def final_strain(self, stress: ArrayLike) -> FloatArray:
-        """Strain at which hardening stops a constant stress [-]; infinite where it is beta k0 or more."""
+        """Strain at which hardening stops ratchetting at constant stress [-]; infinite from beta k0 on."""
         ratio = np.asarray(stress, dtype=np.float64) / (self.hardening_limit * self.shear_yield)
         with np.errstate(divide="ignore"):
             strain = -np.log1p(-(np.minimum(ratio, 1.0) ** 2)) / self.hardening_rate
@@ -98,13 +106,13 @@ class Ratchetting:
     depth
         (L,) depth of the layers below the new surface [m].
     cycles
-        (S,) numbers of cycles at which the strain was noted, ascending; the last is the end.
+        (S,) numbers of cycles of the strains, ascending; the last is the end.
     strain
-        (S, L) plastic shear strain [-]; that of a failed or worn-off layer stays as it was then.
+        (S, L) plastic shear strain [-]; of a failed or worn-off layer the value at that time.
     cycles_to_failure
         (L,) cycles at which the layers reached the critical strain; infinite where they did not.
     cycles_to_wear_off
-        (L,) cycles at which wear took the layers; infinite where it did not.
+        (L,) cycles at which the layers were worn off; infinite where they were not.
     steps
         Steps of the integration.
     """
@@ -140,9 +148,9 @@ def largest_orthogonal_shear(
     friction: float,
     traction_ratio: float | None = None,
 ) -> FloatArray:
-    """Largest |tau_zx| that passes over a point at each depth below a line contact [Pa], (L,).
+    """Largest |tau_zx| along x at each depth below a line contact [Pa], (L,).
 
-    The line contact stands for the middle of a patch; under an ellipse stresses fade faster with depth.
+    The line contact approximates the middle of a patch; under an ellipse stresses decay faster with depth.
 
     Parameters
     ----------
@@ -182,7 +190,7 @@ def ratchet(
     noted: ArrayLike = (),
     tolerance: float = 1e-6,
 ) -> Ratchetting:
-    """Strain and failure of the layers below a surface that is passed over many times.
+    """Strain and failure of the layers below a surface after many passages.
 
     Parameters
     ----------
@@ -196,11 +204,11 @@ def ratchet(
     cycles
         Number of cycles, >= 0.
     shares
-        (cases,) share of the cycles that each load case has, adding up to 1; needed with several cases.
+        (cases,) shares of the load cases in the cycles, adding up to 1; needed with several cases.
     wear_per_cycle
-        Depth that wear takes in a cycle [m], >= 0.
+        Wear depth per cycle [m], >= 0.
     noted
-        Numbers of cycles within 0..cycles at which the strain is noted, besides the end.
+        Numbers of cycles within 0..cycles at which the strain is returned, besides the end.
     tolerance
         Error of the strain allowed in a step, over the critical strain [-].
 
@@ -214,7 +222,7 @@ def ratchet(
     if not (stops[0] >= 0.0 and stops[-1] == cycles):  # also catches NaN
         raise ValueError(f"noted cycles must lie within 0..{cycles:g}")
     worn_at = z / wear_per_cycle if wear_per_cycle > 0.0 else np.full(z.size, np.inf)
-    # a step must not carry a layer past the places where the stress is given
+    # a step must not move a layer past a depth at which the stress is given
     longest = float(np.diff(z).min()) / wear_per_cycle if wear_per_cycle > 0.0 and z.size > 1 else math.inf
     layers = _Layers(steel, z, cases, weights, wear_per_cycle)
     strain, now, steps = np.zeros(z.size), 0.0, 0
@@ -222,7 +230,7 @@ def ratchet(
     for stop in stops.tolist():
         while now < stop:
             alive = np.isinf(failed_at) & (worn_at > now)
-            end = min(stop, float(worn_at[alive].min(initial=math.inf)))  # a layer leaves, or a stop
+            end = min(stop, float(worn_at[alive].min(initial=math.inf)))  # a layer is worn off, or a stop
             step = layers.until_failure(strain, alive, (now, end), longest, tolerance)
             strain, now, steps = step.strain, step.cycles, steps + step.steps
             failed = alive & (strain >= steel.critical_strain * (1.0 - _ROUNDING))
@@ -242,7 +250,7 @@ class _Reached(NamedTuple):
 
 
 class _Layers(NamedTuple):
-    """Layers and what they are loaded with."""
+    """Layers and their load cases."""
 
     steel: RatchettingSteel
     depth: FloatArray  # (L,)

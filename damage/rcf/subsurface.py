@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from damage.bounds import check_above_zero
 
 DEFECT_EXPONENT = 1.0 / 6.0
-"""Of the defect's size, by which it lowers the fatigue limit [-]; [M], unconfirmed."""
+"""Exponent of the reduction of the fatigue limit by the defect's size [-]; [M], unconfirmed."""
 
 
 def subsurface_fatigue_index(
@@ -25,7 +25,7 @@ def subsurface_fatigue_index(
     residual_stress: float = 0.0,
     hydrostatic_weight: float | None = None,
 ) -> NDArray[np.float64]:
-    """Equivalent (Dang Van) stress FI_sub [Pa], to be held against the steel's equivalent fatigue limit.
+    """Equivalent (Dang Van) stress FI_sub [Pa], to be compared with the steel's equivalent fatigue limit.
 
     FI_sub = P (1 + (Q/P)^2)/(4 pi a b) + c sigma_h,res [M].
 
@@ -71,10 +71,10 @@ def subsurface_fatigue_index(
 def defect_fatigue_limit(
     fatigue_limit: float, defect_size: ArrayLike, reference_size: float, exponent: float = DEFECT_EXPONENT
 ) -> NDArray[np.float64]:
-    """Equivalent fatigue limit that is left at a defect [Pa], for the index FI_def.
+    """Equivalent fatigue limit at a defect [Pa], for the index FI_def.
 
-    At a defect of size d the limit is lowered by (d/d0)^(-1/6) [M]. FI_def holds the same stress,
-    `subsurface_fatigue_index`, against this limit; defects no larger than d0 leave it as it is.
+    At a defect of size d the limit is multiplied by (d/d0)^(-1/6) [M]. FI_def compares the same stress,
+    `subsurface_fatigue_index`, with this limit; defects no larger than d0 do not change it.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def defect_fatigue_index(
     reference_size: float,
     exponent: float = DEFECT_EXPONENT,
 ) -> NDArray[np.float64]:
-    """Fatigue index at a defect FI_def [Pa]: FI_sub less the limit that the defect leaves; > 0 is fatigue.
+    """Fatigue index at a defect FI_def [Pa]: FI_sub minus the fatigue limit at the defect; > 0 is fatigue.
 
     Parameters
     ----------

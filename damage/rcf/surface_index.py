@@ -2,7 +2,7 @@
 
 Ekberg, Kabo and Andersson (2002); Hossein-Nia (2018), equation 3.16 and figures 3-14 to 3-17. Both indices
 measure how far the working point (Q/P, p0/k) lies beyond the surface branch p0/k = 1/(Q/P) of the shakedown
-diagram of full slip: along the axis of Q/P, or the shortest way.
+diagram of full slip: along the axis of Q/P, or by the shortest distance.
 """
 
 import math
@@ -15,7 +15,7 @@ from damage.bounds import check_above_zero
 FLANGE_CONTACT_ANGLE = math.radians(15.0)
 """Contact angle above which a contact counts as flange contact, flange root included [rad]. Treads stay
 below 10 degrees; S1002 reaches 15 degrees 27 mm from the running circle, at the root of the flange. Flange
-cells hold no fluid and grow no cracks, so they are reported apart. The value is this project's choice."""
+cracks hold no fluid and do not grow, so the flange is reported apart. The value is this project's choice."""
 
 _BISECTIONS, _NEWTON_STEPS = 12, 5  # for the nearest point of the limit curve, to rounding
 
@@ -92,7 +92,7 @@ def _distance_beyond_hyperbola(x: NDArray[np.float64], y: NDArray[np.float64]) -
     """Shortest distance of (x, y), both >= 0, to the curve x y = 1; positive where x y > 1.
 
     The curve is its own mirror image in the line x = y, so the nearest point (t, 1/t) lies on the point's
-    side of it: with x <= y, t is the only root in 0..1 of t^4 - x t^3 + y t - 1, where the way there is
+    side of it: with x <= y, t is the only root in 0..1 of t^4 - x t^3 + y t - 1, where the line to it is
     normal to the curve. (Three roots below 1 would need a fourth above -1 by the missing t^2 and below -1 by
     the product of the four.) The function is -1 at t = 0 and y - x >= 0 at t = 1: it is bisected, and
     Newton's method finishes within the bracket. Where that is slow, near a centre of curvature, the distance
@@ -126,7 +126,7 @@ def fatigue_area_index(index: ArrayLike, interval: ArrayLike, friction: ArrayLik
     index
         FI_surf over time [-]; -infinity for no contact.
     interval
-        Time that each value stands for [s], >= 0.
+        Time interval of each value [s], >= 0.
     friction
         Friction coefficient [-], >= 0.
 
@@ -155,17 +155,9 @@ def fatigue_probability(index: ArrayLike, interval: ArrayLike = 1.0) -> float:
     index
         FI_surf or FI_ssurf of the working points [-].
     interval
-        Weight of each, as the time it stands for, >= 0; equal without it.
+        Weight of each, such as its time interval, >= 0; equal weights by default.
 
-    Returns
-    -------
-    float
-        0..1; 0 where there is no time.
-
-    Raises
-    ------
-    ValueError
-        An index that is NaN, a negative interval.
+    Result and errors are those of `fatigue_area_index`.
     """
     values, time = np.broadcast_arrays(*_checked_series(index, interval))
     whole = float(np.sum(time))

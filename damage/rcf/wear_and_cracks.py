@@ -1,21 +1,21 @@
 """Wear and rolling contact fatigue together: the cracks that remain where layers wear off.
 
-Two ways, to be chosen (`APPROACHES`):
+Two approaches (`APPROACHES`):
 
 ``"burstow"``    Wear is part of the count: cells that lose more energy than Burstow's thresholds count less
                  (`damage.rcf.burstow`; `WheelSurface.corrected_rcf_number`).
-``"geometric"``  Cracks grow as if nothing wore, and a layer that wears off takes its part of them along: the
+``"geometric"``  Cracks grow as without wear, and are shortened by the layer that wears off: the
                  depth of the cracks is the depth they would have without wear, less the wear depth (Hossein-
                  Nia 2018, section 3.3, first approach; after Dirks 2015).
 
 In the second, the depth of a crack is proportional to its damage by Miner's sum (equation 3.22): h = h_f D,
-h_f its depth at failure, D = 1. So a wear depth of w takes w/h_f from the damage. Depths are normal to the
+h_f its depth at failure, D = 1. So a wear depth of w reduces the damage by w/h_f. Depths are normal to the
 surface, as wear depths are. There is no published h_f for wheels: it must be given, for instance from
 `damage.rcf.crack` as ``CrackShape.depth(1.0)``.
 
 `CrackLayer` follows both over the distance, step by step. Within a step the rates of growth and of wear are
-constant, and a crack that is worn off begins anew at once: exact for constant rates, however the steps are
-cut. Wear as fast as the growth holds the cracks where they are; faster, it removes them all after
+constant, and a crack that is worn off begins anew at once: exact for constant rates and any division into
+steps. Wear at the rate of growth keeps the depth of the cracks constant; faster wear removes them all after
 
     distance = depth / (rate of wear - rate of growth)
 """
@@ -45,9 +45,9 @@ class CrackLayer:
     failure_depth
         Depth of a crack at failure, where Miner's sum is 1 [m], > 0.
     damage
-        (B,) Miner's sum that is left after wear [-].
+        (B,) Miner's sum of the cracks that remain after wear [-].
     damage_without_wear
-        (B,) Miner's sum of all that was counted [-].
+        (B,) Miner's sum without the effect of wear [-].
     worn
         (B,) wear depth [m].
 
@@ -70,7 +70,15 @@ class CrackLayer:
 
     @classmethod
     def new(cls, grid: LateralGrid, failure_depth: float) -> "CrackLayer":
-        """A wheel without cracks and without wear."""
+        """A wheel without cracks and without wear.
+
+        Parameters
+        ----------
+        grid
+            The bins.
+        failure_depth
+            Depth of a crack at failure [m], > 0.
+        """
         return cls(grid, failure_depth, *(np.zeros(grid.count) for _ in range(3)))
 
     def after(self, damage: FloatArray, worn: FloatArray) -> "CrackLayer":
@@ -105,7 +113,7 @@ class CrackLayer:
 
     @property
     def depth_without_wear(self) -> FloatArray:
-        """(B,) depth the cracks would have if nothing had worn [m]."""
+        """(B,) depth of the cracks without wear [m]."""
         return self.failure_depth * self.damage_without_wear
 
     def to_table(self) -> pyarrow.Table:
@@ -123,7 +131,7 @@ class CrackLayer:
 
 
 def remaining_share(surface: WheelSurface, failure_depth: float) -> NDArray[np.float64]:
-    """(W, B) share of the cracks that wear leaves by the geometric approach [-]; 0 where there are none.
+    """(W, B) share of the cracks that remains by the geometric approach [-]; 0 where there are none.
 
     The whole life of the surface is one step: growth and wear at constant rates since it was new. Counts of
     the tread and of the flange lie in the same bin, and wear together.
@@ -149,7 +157,7 @@ def remaining_share(surface: WheelSurface, failure_depth: float) -> NDArray[np.f
 def counts_after_wear(
     surface: WheelSurface, approach: str, failure_depth: float | None = None
 ) -> NDArray[np.float64]:
-    """(W, 2, B, X) RCF number that wear leaves, by one of `APPROACHES` [-].
+    """(W, 2, B, X) RCF number after wear, by one of `APPROACHES` [-].
 
     By the geometric approach every count of a bin loses the same share: `remaining_share`.
 
@@ -160,7 +168,7 @@ def counts_after_wear(
     approach
         ``"none"``: as counted; ``"burstow"``: corrected cell by cell; ``"geometric"``: layers worn off.
     failure_depth
-        Depth of a crack at failure [m]; the geometric approach needs it, the others do not take it.
+        Depth of a crack at failure [m], for the geometric approach alone.
 
     Raises
     ------

@@ -1,8 +1,8 @@
 """Whole-life rail model: damage per passage over the wear number, fatigue against wear.
 
 M.C. Burstow, Whole Life Rail Model (RSSB, 2004); Hossein-Nia (2018), figure 3-27. Below a first energy
-nothing happens; then cracks grow faster with energy up to a peak; then wear takes more and more of them away,
-until at a third energy the two are even, and beyond it the function is negative: wear prevails.
+there is no damage; then cracks grow faster with energy up to a peak; then wear removes more and more of them,
+until crack growth and wear balance at a third energy, beyond which the function is negative: wear prevails.
 
 The turning points 15, 65 and 175 N and the peak of 1e-5 are for British rails (R220) and from memory [M]. A
 published code of the University of Twente has the same 65 N, 175 N and 1e-5, with the first point at 20 N.
@@ -31,7 +31,7 @@ class DamageFunction:
     peak
         Energy of the largest damage [N].
     balance
-        Energy at which wear and crack growth are even [N]; beyond, the line from the peak goes on below zero.
+        Energy at which wear and crack growth balance [N]; the line from the peak continues below zero.
     peak_damage
         Damage of a passage at the peak [-].
 
@@ -89,7 +89,7 @@ def rescaled(energies: tuple[float, float, float], function: DamageFunction = BU
         three turning points in order: 1 : 3 : 10, against 1 : 4.3 : 11.7 of the rail's. The text of the
         thesis uses them otherwise when it corrects counts: undiminished up to E_1, none beyond E_2.
     function
-        Gives the peak damage.
+        Damage function with the peak damage.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Shakedown: up to which load a rolling contact stays elastic, and where contact states lie in its diagram.
+"""Shakedown: limits of the load of a rolling contact, and contact states in the shakedown diagram.
 
 ==================================  ======================================================================
 `damage.shakedown.line_contact`     limits of line contact, in full slip and in partial slip

@@ -3,7 +3,7 @@
 An active set after J. Elzinga and D.W. Hearn (The minimum covering sphere problem, Management Science 19,
 1972): the smallest circle around a few points grows by the point that lies farthest outside until none does.
 The radius grows with every round and the sets of points are finite in number, so that it ends with the
-smallest circle; some ten rounds do for a hundred thousand points.
+smallest circle; ten rounds or so are enough for a hundred thousand points.
 """
 
 import itertools
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-_ROUNDING = 1e-12  # relative to the size of the points: what counts as inside
+_ROUNDING = 1e-12  # relative to the size of the points: tolerance of "inside"
 
 FIXED, ON_AXIS, FREE = 0, 1, 2
 """Free coordinates of the centre: none (it is the origin), the first one, both."""
@@ -20,7 +20,7 @@ FIXED, ON_AXIS, FREE = 0, 1, 2
 
 @dataclass(frozen=True)
 class Circle:
-    """A circle and the points that hold it.
+    """A circle and the points that determine it.
 
     Attributes
     ----------
@@ -29,7 +29,7 @@ class Circle:
     radius
         Its radius, >= 0.
     support
-        Places in the array of points of those that it is the smallest circle around, one to three.
+        Indices of the one to three points that determine the circle.
     """
 
     centre: NDArray[np.float64]
@@ -47,7 +47,7 @@ def smallest_circle(points: NDArray[np.float64], freedom: int = FREE, start: tup
     freedom
         `FIXED`: the centre is the origin; `ON_AXIS`: it may move along the first axis; `FREE`.
     start
-        Places of one to three points to begin with: the support of a circle around some of the points.
+        Indices of one to three points for the first circle, such as the support of another one.
 
     Raises
     ------
@@ -67,7 +67,7 @@ def smallest_circle(points: NDArray[np.float64], freedom: int = FREE, start: tup
 
 
 def _around(points: NDArray[np.float64], chosen: tuple[int, ...], freedom: int, rounding: float) -> Circle:
-    """The smallest circle around at most four points: the smallest of some of them that holds all."""
+    """The smallest circle around at most four points: the smallest through some of them that encloses all."""
     found = []
     for count in range(1, freedom + 2):
         for support in itertools.combinations(chosen, count):
@@ -82,7 +82,7 @@ def _around(points: NDArray[np.float64], chosen: tuple[int, ...], freedom: int, 
 
 
 def _centre(points: NDArray[np.float64], freedom: int) -> NDArray[np.float64] | None:
-    """Centre of the smallest circle through one to three points; None if there is none of that freedom."""
+    """Centre of the smallest circle through one to three points; None if that freedom allows none."""
     if freedom == FIXED:
         return np.zeros(2)
     if len(points) == 1:
@@ -94,7 +94,7 @@ def _centre(points: NDArray[np.float64], freedom: int) -> NDArray[np.float64] | 
     across = 2.0 * (points[1:] - points[0])[:, :freedom]
     square = np.sum(points**2, axis=1)
     if abs(np.linalg.det(across)) <= np.finfo(np.float64).eps * float(np.abs(across).max()) ** freedom:
-        return None  # level points, or three in a row
+        return None  # collinear points
     centre = np.zeros(2)
     centre[:freedom] = np.linalg.solve(across, square[1:] - square[0])
     return centre

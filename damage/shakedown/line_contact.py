@@ -1,6 +1,6 @@
 """Limits p0/k of a rolling line contact, computed from its stress field: full slip and partial slip.
 
-`damage.shakedown.stress_circle` says what the three limits mean and how they are found. They are those of
+Definition and computation of the three limits: `damage.shakedown.stress_circle`. They are those of
 equations 3.11, 3.12 and Table 3-1 of Hossein-Nia (KTH, 2018) after Johnson; the partial slip is Carter's.
 """
 
@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from damage.shakedown.stress_circle import stress_circle
 
 _SURFACE_FROM = (
-    0.39  # friction from which the surface decides all limits in full slip, with margin: k/p0 = mu
+    0.39  # friction from which the surface determines all limits in full slip, with margin: k/p0 = mu
 )
 _FIRST_STEP = 0.03
 _STRAIGHT = 4e-5  # deviation of k/p0 from a straight line over friction that is small enough
@@ -49,9 +49,10 @@ def partial_slip_limit(
 ) -> NDArray[np.float64]:
     """Limit p0/k [-] of a line contact in partial slip, of the surface and below it (figure 3-11).
 
-    Computed anew for every pair (some 20 ms) and remembered. Unlike full slip, the limit below the surface
+    Computed for every new pair (some 20 ms) and cached. Unlike full slip, the limit below the surface
     depends on the sense of Q, since stick always lies at the leading edge: with little traction a braked
-    wheel (and the rail below a driving one) bears up to a few per cent less. The surface bears the same.
+    wheel (and the rail below a driving one) has a limit lower by up to a few per cent. The surface's limit is
+    the same.
 
     Parameters
     ----------
@@ -76,18 +77,18 @@ def partial_slip_limit(
 def partial_slip_surface_limit(
     friction: ArrayLike, traction_ratio: ArrayLike, hardening: str = "kinematic"
 ) -> NDArray[np.float64]:
-    """Limit p0/k [-] that the surface alone sets in partial slip, in closed form (Johnson, 1995).
+    """Limit p0/k [-] of the surface alone in partial slip, in closed form (Johnson, 1995).
 
     From the stresses at the leading edge and at the border of stick and slip (equation 3.13). Where friction
-    is high it is the limit of the whole body; with little traction the body below the surface sets a lower
-    one, see `partial_slip_limit`.
+    is high it is the limit of the whole body; with little traction the limit below the surface is lower, see
+    `partial_slip_limit`.
 
     Parameters
     ----------
     friction
         Friction coefficient mu [-], > 0.
     traction_ratio
-        |Q/P| [-], 0 to mu; without traction the surface sets no limit and the result is infinite.
+        |Q/P| [-], 0 to mu; without traction the limit is infinite.
     hardening
         "perfect" (3.14) or "kinematic" (3.15, which is 1/sqrt(mu Q/P)).
 
@@ -113,7 +114,7 @@ def partial_slip_surface_limit(
 
 @functools.cache
 def _table(hardening: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Friction and k/p0 in full slip, as close as straight lines between them need.
+    """Friction and k/p0 in full slip, close enough for linear interpolation.
 
     k/p0 is convex in mu (the largest of distances that are convex in mu and in the centre, and the centre
     chosen best), so that a straight line lies above it: an interpolated limit is never too high.

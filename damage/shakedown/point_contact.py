@@ -4,7 +4,7 @@ The axes are the utilised friction Q/P and p0/k. The limit has two branches (Joh
 1985; Hossein-Nia, 2018, figure 3-13 left):
 
 * at the surface p0/k = 1/mu, where the traction mu p0 itself reaches k;
-* below it the orthogonal shear stress decides. No residual stress left by rolling along x can carry
+* below it by the orthogonal shear stress. No residual stress of rolling along x has a component
   tau_xz (equilibrium with the free surface), so by Melan's theorem p0/k = 1/max|tau_xz/p0|.
 
 The second branch is tabulated for a circular patch, from the point force solutions of Boussinesq and

@@ -1,9 +1,9 @@
 """Johnson's construction: a circle around the stress trajectories of a rolling line contact.
 
-Every point of the body below a rolling contact runs through the stresses of its depth. In the plane of
+The stresses of a point below a rolling contact follow the trajectory of its depth. In the plane of
 ((sigma_x - sigma_z)/(2 p0), tau_xz/p0) yield in the plane of rolling (Tresca) is the circle of radius k/p0
-(equation 3.12 of Hossein-Nia, KTH 2018; K.L. Johnson, Wear 190, 1995). A load stays elastic for ever if the
-trajectories of ALL depths fit into one such circle, whose centre is minus the residual stress:
+(equation 3.12 of Hossein-Nia, KTH 2018; K.L. Johnson, Wear 190, 1995). The response to a load remains elastic
+if the trajectories of ALL depths fit into one such circle, whose centre is minus the residual stress:
 
 =============  ====================================================================================
 ``elastic``    no residual stress, the centre is the origin: the load of first yield
@@ -16,12 +16,12 @@ Johnson's diagrams and Table 3-1. With sigma_y, the third principal stress in pl
 earlier (`SubsurfaceStress.max_shear`): at mu = 0.2, 0.3, 0.35 and 0.4 the elastic limit would be 3.08, 2.63,
 2.45 and 2.29 instead of 3.13, 2.90, 2.75 and 2.50 (Poisson's ratio 0.28); at 0, 0.1 and 0.5 it is the same.
 
-The centre is the same at all depths, as Table 3-1 has it. For ``perfect`` a residual stress that varies with
+The centre is the same at all depths, as in Table 3-1. For ``perfect`` a residual stress that varies with
 depth is admissible too; its limit, 1/max|tau_xz/p0|, is the same but between mu = 0.35 and 0.376, where it
 is up to 0.8 per cent higher.
 
-Method: the circle around a grid of places; where the field reaches farthest out of it, the places are
-refined and added, until the circle grows no more.
+Method: the circle around the stresses at a grid of places; near the largest excess places are refined and
+added, until the circle grows no more.
 """
 
 import functools
@@ -37,8 +37,8 @@ HARDENING = {"elastic": FIXED, "perfect": ON_AXIS, "kinematic": FREE}
 
 _GROWTH = 1e-6  # relative growth of the radius below which the places are fine enough
 _ROUNDS = 20
-_HALVINGS = 9  # of the distance between places, by which a maximum is closed in on
-_NEAR = 0.97  # of the radius: maxima farther inside cannot come to hold the circle by a finer grid
+_HALVINGS = 9  # of the distance between places around a maximum
+_NEAR = 0.97  # of the radius: maxima farther inside do not determine the circle on a finer grid either
 _MOST = 40  # maxima refined at once; on the surface in full slip all places are maxima
 
 
@@ -59,8 +59,8 @@ class StressCircle:
     radius
         k/p0 [-].
     x, depth
-        Places whose stresses lie on the circle: where plastic flow begins when the limit is exceeded, one to
-        three. In rolling direction from the middle of the patch, and below the surface [-].
+        One to three places with their stresses on the circle, where plastic flow begins beyond the limit. In
+        rolling direction from the middle of the patch, and below the surface [-].
     """
 
     friction: float

@@ -3,8 +3,8 @@
 =================  ==================================================================================
 `wheel_surface`    the sums of one wheel: they add, scale and weigh
 `lateral_grid`     the bins of the grid, along the arc of the profile
-`accumulate`       the loop over the contact states
-`contact_sums`     its kernel
+`accumulate`       the loop over the contact states, chunk by chunk
+`contact_sums`     kernel: sums of the contact states of one chunk
 `patch_field`      pressure, traction and slip of a state on the cells of its patch
 =================  ==================================================================================
 """

@@ -1,7 +1,7 @@
-"""Sum the contact states of a log on the wheel surfaces: the loop over all rows.
+"""Sums over the contact states of a log on the wheel surfaces: the loop over all rows.
 
-Every row stands for its output interval dt. In it the wheel turns V dt / (2 pi r) times, and each turn takes
-the wear law's depth from the strip of the profile that the patch covers, and counts where the patch is beyond
+Every row has an output interval dt. In it the wheel turns V dt / (2 pi r) times; each turn adds the depth of
+the wear law to the strip of the profile that the patch covers, and counts where the patch is beyond
 shakedown. The depth is normal to the surface. Over the arc of the profile (`lateral_grid`) the patch lies at
 the arc length of y_wheel and is as wide as in its own plane; over the lateral coordinate it covers y (frame
 C, to the left) at y_wheel - side y cos(gamma), so a bin of width w holds the worn area depth w / cos(gamma).
@@ -70,8 +70,8 @@ def accumulate(
     chunk_rows
         Rows that are read at once.
     threads
-        States that are solved at once, at least 1; None takes the processors that this process may use. It
-        has no influence on the result.
+        Number of threads, at least 1; None takes the processors that this process may use. It has no
+        influence on the result.
     bad_rows
         Impossible rows are skipped and counted in it; None raises.
 
@@ -105,7 +105,7 @@ def _sum(pieces: Iterator[TimedStates], model: DamageModel, threads: int) -> Whe
 
 
 def usable_processors() -> int:
-    """Processors that this process may use, where the system tells; else all there are."""
+    """Number of processors that this process may use; of all processors where the system does not say."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
@@ -169,7 +169,7 @@ def _block_sums(block: Block, wheel: Wheel, model: DamageModel) -> Sums:
 
 
 def _piece_sums(piece: TimedStates, model: DamageModel) -> tuple[WheelSurface, IntArray, Placed]:
-    """The sums of a piece that need no patch to be solved; for the rest, wheel and place of every row."""
+    """The sums of a piece that need no solved patch; and for the others wheel and place of every row."""
     states, interval, sharing = piece
     position, stretch = model.grid.place(states.y_wheel, states.contact_angle)
     _check_on_grid(states, position, stretch, model)
@@ -208,7 +208,7 @@ def _wheels(states: ContactStates) -> tuple[tuple[Wheel, ...], IntArray]:
 def _check_on_grid(
     states: ContactStates, position: FloatArray, stretch: FloatArray, model: DamageModel
 ) -> None:
-    """Refuse patches that reach beyond the bins: their damage would be lost without a word."""
+    """Raise ValueError for patches that reach beyond the bins, as part of their damage would be lost."""
     reach = states.b * stretch
     loaded = states.normal_force > 0.0
     across, along = model.grid.edges, model.patch_grid.edges

@@ -26,7 +26,7 @@ class Placed(NamedTuple):
     interval: FloatArray  # [s]
     fatigue_index: FloatArray  # FI_surf [-]
     position: FloatArray  # coordinate on the grid [m]
-    stretch: FloatArray  # a metre across the patch in that coordinate [-]
+    stretch: FloatArray  # length in that coordinate over length across the patch [-]
 
 
 class Sums(NamedTuple):
@@ -45,7 +45,7 @@ class Sums(NamedTuple):
 
 
 class Solving(NamedTuple):
-    """Settings of a damage computation as the kernel takes them."""
+    """Settings of a damage computation, for the kernel."""
 
     theory: int  # a value of `patch_field.DAMAGE_THEORIES`
     elastic: Elastic  # of wheel and rail
@@ -65,7 +65,15 @@ class Work(NamedTuple):
 
 
 def work_space(cells: tuple[int, int], bins_along: int) -> Work:
-    """Work space for patches of `cells` (along, across)."""
+    """Work space for patches of `cells` (along, across) on `bins_along` bins along the patch.
+
+    Parameters
+    ----------
+    cells
+        Cells of a patch along and across.
+    bins_along
+        Bins along the patch.
+    """
     nx, ny = cells
     return Work(
         Fields(*np.zeros((5, ny, nx))),
@@ -77,11 +85,23 @@ def work_space(cells: tuple[int, int], bins_along: int) -> Work:
 
 @kernel
 def add_states(states: ContactStates, placed: Placed, solving: Solving, work: Work, sums: Sums) -> None:
-    """Add the states of a wheel to its sums; every patch lies on the grids."""
+    """Add the states of a wheel to its sums (kernel, allocates nothing).
+
+    Parameters
+    ----------
+    states, placed
+        (n,) contact states of the wheel; every patch lies on the grids.
+    solving
+        Theory, steel, wear law and bins.
+    work
+        Work space.
+    sums
+        Result, added to.
+    """
     law = solving.law
     for row in range(placed.part.size):
         if states.normal_force[row] <= 0.0:
-            continue  # bodies that touch without force: no pressure, no wear, no fatigue
+            continue  # contact without force: no pressure, no wear, no fatigue
         part, interval, stretch = placed.part[row], placed.interval[row], placed.stretch[row]
         speed, radius = states.speed[row], states.rolling_radius[row]
         rolled = speed * interval
@@ -123,7 +143,7 @@ def _add_strips(b: float, spot: Spot, bins: Bins, part: int, work: Work, sums: S
     cells_y, stretch = work.depth.shape[0], abs(spot.across)
     width = 2.0 * b / cells_y
     half = 0.5 * width * stretch / bins.step
-    v0, v1, v2, v3 = 0.0, 0.0, 0.0, 0.0  # by regime, side by side as one vector
+    v0, v1, v2, v3 = 0.0, 0.0, 0.0, 0.0  # by regime, as one vector
     for strip in range(cells_y):
         d0, d1, d2, d3 = (
             work.depth[strip, 0],
@@ -141,7 +161,7 @@ def _add_strips(b: float, spot: Spot, bins: Bins, part: int, work: Work, sums: S
         for place in range(max(int(low), 0), min(int(high), sums.depth.size - 1) + 1):
             covered = min(high, place + 1.0) - max(low, float(place))
             sums.depth[place] += depth * covered
-            # the depth is normal to the surface, which is wider than its shadow on the lateral coordinate
+            # the depth is normal to the surface, which is wider than its projection on the lateral coordinate
             sums.worn_area[place] += depth * covered * bins.step / stretch
             if ratchets > 0.0:
                 sums.ratchet_revolutions[part, place] += ratchets * covered

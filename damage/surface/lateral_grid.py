@@ -1,8 +1,8 @@
 """Bins fixed to the wheel profile: over its lateral coordinate, or over its arc where the profile is known.
 
-On the flange the lateral coordinate is a poor measure: a bin of 1 mm holds 2 mm of a surface at 60 degrees.
+On the flange the lateral coordinate is a poor measure: a bin of 1 mm covers 2 mm of a surface at 60 degrees.
 So where the wheel profile is given, the bins lie along its arc, from 0 at the running circle, positive
-towards the flange; depth is normal to the surface either way.
+towards the flange; depth is normal to the surface in both cases.
 """
 
 import math
@@ -17,14 +17,14 @@ from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.profiles.cleaning import arc_length
 from hh_exudyn.kernel import kernel
 
-_MARGIN = 0.010  # bins beyond the ends of a profile: an equivalent ellipse may hang over them [m]
+_MARGIN = 0.010  # of bins beyond the ends of a profile: an equivalent ellipse may overlap them [m]
 
 
 @dataclass(frozen=True, eq=False)
 class ProfileArc:
     """Arc length over the lateral coordinate of a wheel profile.
 
-    Beyond the ends of the profile the arc goes on as the lateral coordinate does.
+    Beyond the ends of the profile the arc length continues with slope 1.
 
     Attributes
     ----------
@@ -98,6 +98,13 @@ class LateralGrid:
     def along(cls, wheel: Profile, step: float = 0.001) -> "LateralGrid":
         """Bins over the whole arc of a wheel profile, one of their edges at the running circle.
 
+        Parameters
+        ----------
+        wheel
+            The wheel profile.
+        step
+            Width of a bin [m], > 0.
+
         Raises
         ------
         ValueError
@@ -144,8 +151,8 @@ class LateralGrid:
         -------
         position, stretch
             (n,) the grid's coordinate of the contact [m], and the length on the grid over the length across
-            the patch [-]: cos(contact angle) in the lateral coordinate; 1 on the arc, which the contact
-            plane touches.
+            the patch [-]: cos(contact angle) in the lateral coordinate; 1 on the arc, to which the contact
+            plane is tangential.
         """
         lateral, angle = np.asarray(y, dtype=np.float64), np.asarray(contact_angle, dtype=np.float64)
         if self.profile_arc is None:
@@ -188,9 +195,20 @@ class PatchGrid:
 
 @kernel
 def spread(centre: float, width: float, value: float, start: float, step: float, bins: FloatArray) -> None:
-    """Distribute a strip over the bins: each gets the value times the share of the bin that is covered.
+    """Distribute a strip over the bins: each gets the value times its covered share (kernel).
 
     The sum of bins times step grows by value times width. The strip must lie on the grid.
+
+    Parameters
+    ----------
+    centre, width
+        Of the strip in the coordinate of the bins [m].
+    value
+        In any unit.
+    start, step
+        Edge of the first bin, and width of a bin [m].
+    bins
+        (n,) result, added to.
     """
     low = (centre - 0.5 * width - start) / step
     high = (centre + 0.5 * width - start) / step

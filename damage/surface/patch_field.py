@@ -1,8 +1,9 @@
 """Stress and slip over the patch of a contact state: of a tangential theory, or of full slip.
 
 In full slip the whole patch slides in the direction of the creep force: |q| = mu p with the pressure of
-Hertz, and the slip is the rigid slip of the creepages. It is what the shakedown diagram of a point contact
-assumes (Hossein-Nia 2018, figure 3-19); the field's force then exceeds the logged one unless that is mu N.
+Hertz, and the slip is the rigid slip of the creepages. This is the assumption of the shakedown diagram of a
+point contact (Hossein-Nia 2018, figure 3-19); the field's force then exceeds the logged one unless that is mu
+N.
 """
 
 import math
@@ -13,9 +14,9 @@ from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, fiel
 from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
-FULL_SLIP = 0  # no number of `registry.THEORIES`
+FULL_SLIP = 0  # not a number of `registry.THEORIES`
 DAMAGE_THEORIES: dict[str, int] = {name: THEORIES[name] for name in FIELD_THEORIES} | {"full_slip": FULL_SLIP}
-"""Theories that damage can solve a contact state with: name to number."""
+"""Theories for the stress and slip of a contact state: name to number."""
 
 
 def theory_number(theory: str) -> int:

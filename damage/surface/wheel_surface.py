@@ -34,7 +34,7 @@ class Wheel(NamedTuple):
 class WheelSurface:
     """Sums over the contact states of a run; W wheels, B bins across the profile, X bins along the patch.
 
-    A bin that is covered in part gets that part. Where there is a dimension of 2, tread and flange are apart.
+    A bin covered in part gets that share. Dimensions of 2 separate tread and flange.
 
     Attributes
     ----------
@@ -47,7 +47,7 @@ class WheelSurface:
     rows
         Contact states that were summed [-].
     time
-        Time they stand for [s].
+        Their time in all [s].
     distance
         Distance rolled in that time [m].
     depth
@@ -118,7 +118,15 @@ class WheelSurface:
     def zero(
         cls, wheels: tuple[Wheel, ...], grid: LateralGrid, patch_grid: PatchGrid = DEFAULT_PATCH_GRID
     ) -> "WheelSurface":
-        """Surfaces without any contact yet."""
+        """Surfaces before any contact.
+
+        Parameters
+        ----------
+        wheels
+            The W wheels, sorted.
+        grid, patch_grid
+            Bins across the profile and along the patch.
+        """
         count, bins, along = len(wheels), grid.count, patch_grid.count
         return cls(
             grid=grid,
@@ -205,7 +213,7 @@ class WheelSurface:
         Parameters
         ----------
         distance
-            Rolled in all [m], >= 0.
+            Total distance rolled [m], >= 0.
 
         Raises
         ------
@@ -255,5 +263,5 @@ class WheelSurface:
 
 
 def _ratio(part: NDArray[np.float64], whole: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Part over whole; 0 where there is no whole (no contact there, hence no share)."""
+    """Part over whole; 0 where the whole is 0 (no contact, hence no share)."""
     return np.divide(part, whole, out=np.zeros_like(part), where=whole > 0.0)

@@ -11,7 +11,7 @@ interface, KTH 2006); rigid slip is that of the creepages, nu_x - phi y and nu_y
 slip (Jendel). Where most of the patch sticks the two differ by a factor: elastic slip carries all of the
 dissipated energy, |s| p = e / mu, of which the rigid slip in the slip zone holds a fifth to a half at
 creepages of 0.03 to 0.2 %. The pressure is that of the tangential theory: FASTSIM's parabola is 4/3 of
-Hertz's in the middle and meets seizure sooner.
+Hertz's in the middle and reaches seizure sooner.
 """
 
 import math
@@ -39,6 +39,8 @@ def archard(
 ) -> WearLaw:
     """Archard's law with Jendel's map.
 
+    A cell that slips wears by k p s / H: the coefficient k follows from its pressure and sliding velocity.
+
     Parameters
     ----------
     surface
@@ -49,9 +51,9 @@ def archard(
     wear_map
         The dry coefficients and the hardness.
     divisor
-        Instead of the surface's [-], > 0; 5.5 is also in use for "lubricated".
+        Divisor instead of that of the surface [-], > 0; 5.5 is also in use for "lubricated".
     hardness
-        Of the softer steel, instead of the map's [Pa], > 0. The pressure of seizure goes with it.
+        Of the softer steel, instead of the map's [Pa], > 0. The pressure of seizure is proportional to it.
 
     Raises
     ------
@@ -71,7 +73,7 @@ def archard(
 
 
 class ArchardValues(NamedTuple):
-    """Archard's law as its kernel takes it."""
+    """Archard's law, for its kernel."""
 
     rigid: bool  # sliding distances from the rigid slip in the slip zone, not from the field's own slip
     map: MapValues
@@ -79,7 +81,13 @@ class ArchardValues(NamedTuple):
 
 @kernel
 def read_archard(numbers: FloatArray) -> ArchardValues:
-    """The law in its numbers."""
+    """The law from its numbers (`WearLaw.numbers`; kernel).
+
+    Parameters
+    ----------
+    numbers
+        (n,) numbers of the law.
+    """
     wear_map = MapValues(
         numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], numbers[6], numbers[7], numbers[8]
     )
@@ -88,7 +96,7 @@ def read_archard(numbers: FloatArray) -> ArchardValues:
 
 @kernel
 def archard_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
-    """Wear depth on the wheel per revolution, by strip and region of the map: a `LawKernel`."""
+    """Wear depth on the wheel per revolution, by strip and region of the map; arguments: `LawKernel`."""
     patch, speed = solved.patch, solved.speed
     pressure, slip_x, slip_y = solved.fields.pressure, solved.fields.slip_x, solved.fields.slip_y
     cells_y, cells_x = pressure.shape

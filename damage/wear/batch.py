@@ -60,7 +60,7 @@ class WearDepths:
         return volume
 
     def to_table(self) -> pyarrow.Table:
-        """One row a state: wear number, deepest strip, worn volume in all and by regime."""
+        """One row per state: wear number, deepest strip, worn volume in all and by regime."""
         volume = self.volume
         columns = {
             "wear_number_N": self.energy.sum(axis=1),
@@ -81,7 +81,9 @@ def wear_depths(
     cells: tuple[int, int] = (50, 50),
     material: Material = STEEL,
 ) -> WearDepths:
-    """Solve contact states and wear them by a law; the signature is the same for every law.
+    """Wear depths of contact states by a law.
+
+    The call is the same for every law.
 
     Parameters
     ----------
@@ -89,7 +91,7 @@ def wear_depths(
         From `damage.wear.laws.wear_law`.
     states
         The columns `damage.log_input.states.WEAR_COLUMNS`, numbers or (n,) arrays, as a mapping or a contact
-        log's table; other columns are passed over.
+        log's table; other columns are ignored.
     theory
         Name of a tangential theory with a field.
     cells

@@ -6,9 +6,9 @@ number E [N] and the wheel's diameter D [mm] is
 
     0.25 E/D below 100 N,   25/D from 100 to 200 N,   (1.19 E - 154)/D above.
 
-As printed it jumps from 25/D to 84/D at 200 N; the last line equals 25/D at E = 150.4 N, and there the
-continuous form changes over. The law says nothing about where on the profile: each strip takes the share of
-the patch's energy that it dissipates.
+As printed it jumps from 25/D to 84/D at 200 N; the last line equals 25/D at E = 150.4 N, where the continuous
+form begins it. The law does not give the distribution over the profile: each strip has the share of the worn
+volume that it has of the energy.
 """
 
 import math
@@ -20,7 +20,7 @@ from damage.wear.rate import Rate, rate_in_regime, rate_numbers, rate_regime, re
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import kernel
 
-_SI = 1e-12  # [m^3/m] in [mm^3/km]: of the loss per kilometre times the diameter
+_SI = 1e-12  # m^3/m per mm^3/km: for the loss per kilometre times the diameter
 
 
 def british_rail(continuous: bool = False) -> WearLaw:
@@ -40,10 +40,18 @@ def british_rail(continuous: bool = False) -> WearLaw:
 
 @kernel
 def british_rail_volume(energy: float, rolling_radius: float, rate: Rate) -> tuple[int, float]:
-    """Regime, and worn volume per metre rolled [m^3/m]: the area per metre, all around the wheel.
+    """Regime, and worn volume per metre rolled [m^3/m]: worn area per metre times circumference (kernel).
 
-    Wear number [N], radius of the wheel at the contact [m]. The diameter cancels: a smaller wheel loses more
-    of its cross-section, on a shorter circumference.
+    The diameter cancels: a smaller wheel loses more of its cross-section, on a shorter circumference.
+
+    Parameters
+    ----------
+    energy
+        Wear number [N].
+    rolling_radius
+        Radius of the wheel at the contact [m].
+    rate
+        Loss over the wear number, from `read_rate`.
     """
     diameter = 2.0 * rolling_radius
     regime = rate_regime(energy, rate)
@@ -53,7 +61,7 @@ def british_rail_volume(energy: float, rolling_radius: float, rate: Rate) -> tup
 
 @kernel
 def british_rail_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
-    """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`."""
+    """Wear depth on the wheel per revolution, by strip and regime; arguments: `LawKernel`."""
     energy = energies_of_strips(solved, depth)
     if energy > 0.0:
         regime, volume = british_rail_volume(energy, solved.rolling_radius, read_rate(numbers))

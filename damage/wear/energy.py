@@ -1,6 +1,6 @@
 """The energy that friction dissipates in the contact, per distance rolled: of the patch and of its cells.
 
-Tractions and forces act on the wheel and slip is the wheel's relative to the rail, so what is lost is
+Tractions and forces act on the wheel and slip is the wheel's relative to the rail, so the loss is
 -(q . s) per area [J/m per m^2 = Pa], never below zero. The elastic part of slip does no net work in steady
 rolling: the density's sum over the patch is the wear number of the creepages (equation 3.29).
 """
@@ -48,7 +48,17 @@ def wear_number(
 
 @inlined_kernel
 def cell_energy(fields: Fields, j: int, i: int) -> float:
-    """Energy dissipated in a cell per area and distance rolled [Pa], of the field's own slip."""
+    """Energy dissipated in cell (j, i) per area and distance rolled [Pa] (kernel).
+
+    It follows from the slip of the cell; where it sticks it is 0.
+
+    Parameters
+    ----------
+    fields
+        Arrays (ny, nx) of tractions and slip.
+    j, i
+        Strip and cell, from 0.
+    """
     return -(fields.q_x[j, i] * fields.slip_x[j, i] + fields.q_y[j, i] * fields.slip_y[j, i])
 
 
@@ -63,6 +73,13 @@ def rigid_energy_density(field: TractionField, nu_x: float, nu_y: float, phi: fl
 
     Creepages [-], [-], [1/m]. Its sum over the patch is that of `energy_density`, but in stick it is not zero
     and may be negative: there it is not lost but stored and given back.
+
+    Parameters
+    ----------
+    field
+        Tractions [Pa] and grid [m] of the patch.
+    nu_x, nu_y, phi
+        Creepages [-], [-], [1/m].
     """
     density: NDArray[np.float64] = -(field.q_x * (nu_x - phi * field.y) + field.q_y * (nu_y + phi * field.x))
     return density
@@ -70,7 +87,15 @@ def rigid_energy_density(field: TractionField, nu_x: float, nu_y: float, phi: fl
 
 @kernel
 def strip_energies(patch: RollingPatch, fields: Fields, energies: FloatArray) -> float:
-    """Energy dissipated per distance rolled in each strip into `energies` (ny,); returns their sum [N]."""
+    """Write the energy dissipated per distance rolled in each strip [N]; returns their sum [N] (kernel).
+
+    Parameters
+    ----------
+    patch, fields
+        The patch and its tractions and slip (ny, nx).
+    energies
+        (ny,) result [N].
+    """
     cells_y, cells_x = fields.pressure.shape
     q_x, q_y, slip_x, slip_y = fields.q_x, fields.q_y, fields.slip_x, fields.slip_y
     cell = 4.0 * patch.a * patch.b / (cells_x * cells_y)
@@ -108,12 +133,12 @@ def energies_of_strips(solved: SolvedPatch, depth: FloatArray) -> float:
 def depths_by_energy(
     regime: int, volume: float, energy: float, patch: RollingPatch, depth: FloatArray
 ) -> None:
-    """Spread a worn volume over the strips of a patch, to each the share of the energy that it dissipates.
+    """Distribute a worn volume over the strips of a patch in proportion to their energies (kernel).
 
     Parameters
     ----------
     regime
-        Column of `depth` that the result goes to.
+        Column of `depth` for the result.
     volume
         Worn off per metre rolled [m^3/m].
     energy

@@ -19,7 +19,7 @@ _DATA = {name: parameter.value for name, parameter in parameters("wear", "jendel
 
 
 class MapValues(NamedTuple):
-    """The map as the kernels take it; `JendelMap` has the meanings."""
+    """The map, for the kernels; meanings as in `JendelMap`."""
 
     mild_slow: float
     severe: float
@@ -110,7 +110,17 @@ class JendelMap:
 
 @kernel
 def wear_regime(pressure: float, sliding_velocity: float, wear_map: MapValues) -> int:
-    """Region of the map: index into `JENDEL_REGIMES`. Pressure [Pa], sliding velocity [m/s]."""
+    """Region of the map: index into `JENDEL_REGIMES`. Pressure [Pa], sliding velocity [m/s].
+
+    Parameters
+    ----------
+    pressure
+        [Pa].
+    sliding_velocity
+        [m/s].
+    wear_map
+        The map.
+    """
     if pressure > wear_map.seizure_pressure:
         return 3
     if sliding_velocity < wear_map.severe_from:
@@ -122,7 +132,15 @@ def wear_regime(pressure: float, sliding_velocity: float, wear_map: MapValues) -
 
 @kernel
 def wear_coefficient(regime: int, wear_map: MapValues) -> float:
-    """Coefficient k [-] of a region of the map."""
+    """Coefficient k [-] of a region of the map.
+
+    Parameters
+    ----------
+    regime
+        Index into `JENDEL_REGIMES`.
+    wear_map
+        The map.
+    """
     if regime == 3:
         return wear_map.seizure
     if regime == 1:

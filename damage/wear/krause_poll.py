@@ -4,8 +4,8 @@ H. Krause, G. Poll, Wear of wheel-rail surfaces, Wear 113 (1986) 103-122: W_V = 
 depends on the temperature of the contact, hence on the power of friction per contact area, E V / A, in
 regimes. Its numbers belong to the steels, the weather and the rig: there are no defaults.
 
-The work goes with the distance rolled (E is per metre rolled). Each strip takes the share of the patch's
-energy that it dissipates.
+The work is proportional to the distance rolled (E is per metre rolled). Each strip has the share of the worn
+volume that it has of the energy.
 """
 
 import math
@@ -61,14 +61,26 @@ def krause_poll(coefficients: Sequence[float], power_densities: Sequence[float])
 
 @kernel
 def krause_poll_volume(energy: float, patch: RollingPatch, speed: float, rate: Rate) -> tuple[int, float]:
-    """Regime, and worn volume per metre rolled [m^3/m] of the wear number [N] at a speed [m/s]."""
+    """Regime, and worn volume per metre rolled [m^3/m] of the wear number [N] at a speed [m/s].
+
+    Parameters
+    ----------
+    energy
+        Wear number [N].
+    patch
+        The patch, for its area.
+    speed
+        [m/s].
+    rate
+        Coefficient over power density, from `read_rate`.
+    """
     regime = rate_regime(energy * speed / (math.pi * patch.a * patch.b), rate)  # (3.32)
     return regime, rate_in_regime(regime, energy, rate)  # (3.31)
 
 
 @kernel
 def krause_poll_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
-    """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`."""
+    """Wear depth on the wheel per revolution, by strip and regime; arguments: `LawKernel`."""
     energy = energies_of_strips(solved, depth)
     if energy > 0.0:
         regime, volume = krause_poll_volume(energy, solved.patch, solved.speed, read_rate(numbers))

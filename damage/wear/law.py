@@ -1,4 +1,4 @@
-"""A wear law: a kernel that gives the wear depths of a solved patch, and the numbers it takes."""
+"""A wear law: a kernel for the wear depths of a solved patch, and its numbers."""
 
 import math
 from collections.abc import Callable
@@ -12,11 +12,11 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel_value
 
-REGIMES = 4  # columns of a strip's depth: the regimes of a law; those that a law does not have stay 0
+REGIMES = 4  # columns of a strip's depth, one per regime; columns beyond the regimes of a law stay 0
 
 
 class SolvedPatch(NamedTuple):
-    """A contact state as the wear laws take it."""
+    """A contact state with its solved patch, for the wear laws."""
 
     patch: RollingPatch
     fields: (
@@ -40,7 +40,7 @@ metre rolled.
 
 
 class LawValues(NamedTuple):
-    """A wear law as the kernels take it: ``law.depths(law.numbers, solved, depth)``."""
+    """A wear law, for the kernels: ``law.depths(law.numbers, solved, depth)``."""
 
     depths: Any  # `kernel_value` of a `LawKernel`
     numbers: FloatArray  # (n,)
@@ -59,7 +59,7 @@ class WearLaw:
     depths
         Its kernel, a `LawKernel`.
     numbers
-        Numbers that the kernel takes, SI units; infinity where a law uses it, never NaN.
+        Numbers of the kernel, SI units; infinity is allowed, NaN is not.
 
     Raises
     ------
@@ -94,6 +94,16 @@ def _values(depths: LawKernel, numbers: tuple[float, ...]) -> LawValues:
 
 
 def require_known(what: str, given: str, known: tuple[str, ...]) -> None:
-    """Raise ValueError if a name is not among the known ones."""
+    """Raise ValueError if a name is not among the known ones.
+
+    Parameters
+    ----------
+    what
+        Kind of name, for the message.
+    given
+        The name.
+    known
+        The known names.
+    """
     if given not in known:
         raise ValueError(f"{what} = {given!r}; known: {', '.join(known)}")

@@ -1,6 +1,6 @@
 """The wear laws, one record each: `wear_law("archard", surface="lubricated")` makes one by name.
 
-A record names the function that makes the law, the file with its numbers and what it takes; the command
+A record names the function that makes the law, the file with its numbers, and its needs; the command
 line, the tests and `wear_law` derive from the records. To add a law: its file with kernel and maker, its
 numbers in ``damage/data/wear.toml``, a record in `LAW_RECORDS`, a test.
 
@@ -10,8 +10,8 @@ Laws of other packages come through the entry points of the group ``hh_exudyn.we
     [project.entry-points."hh_exudyn.wear_laws"]
     my_law = "my_package.my_module:RECORD"
 
-names a `LawRecord` called ``my_law``. Nothing is imported before a law is asked for, so that names and help
-are there at once.
+names a `LawRecord` called ``my_law``. A law's module is imported when the law is made, so that lists of names
+and help texts are fast.
 """
 
 from dataclasses import dataclass
@@ -31,12 +31,14 @@ GROUP = "hh_exudyn.wear_laws"
 
 @dataclass(frozen=True)
 class LawRecord:
-    """A wear law as the toolkit knows it.
+    """The record of a wear law.
+
+    Help texts and checks need the record only; the module of the law is imported when the law is made.
 
     Attributes
     ----------
     name
-        By which it is asked for.
+        Its name in commands and calls.
     maker
         ``package.module:function`` of the function that makes the `damage.wear.law.WearLaw`; the arguments of
         the function are the options of the law.
@@ -46,12 +48,12 @@ class LawRecord:
         ``package:file`` of the numbers with their sources, as `damage.parameters` reads them; empty where the
         user gives all numbers.
     tables
-        Tables of that file that the law takes its numbers from.
+        Tables of that file with the law's numbers.
     needs_field
-        Whether the law goes cell by cell through pressure, traction and slip; otherwise it takes the energy
-        that the strips of the patch dissipate.
+        Whether the law needs pressure, traction and slip cell by cell; otherwise the dissipated energies of
+        the strips suffice.
     needs_options
-        Whether it has options without a default, so that its name alone does not make it.
+        Whether it has options without a default, so that the name alone is not enough.
     """
 
     name: str
@@ -109,12 +111,12 @@ _OWN = {record.name: record for record in LAW_RECORDS}
 
 
 def law_names() -> tuple[str, ...]:
-    """Names of all wear laws, those of installed packages last; nothing is imported for it."""
+    """Names of all wear laws, those of installed packages last, without importing them."""
     return (*_OWN, *(point.name for point in metadata.entry_points(group=GROUP) if point.name not in _OWN))
 
 
 def names_for_help() -> str:
-    """The laws that their name alone makes, for the help of a command: ``archard, british_rail, ...``."""
+    """The laws without required options, for the help of a command: ``archard, british_rail, ...``."""
     return ", ".join(name for name in law_names() if name not in _OWN or not _OWN[name].needs_options)
 
 

@@ -1,4 +1,4 @@
-"""Piecewise linear rates of wear: what the energy laws have in common."""
+"""Piecewise linear rates of wear, common to the energy laws."""
 
 import math
 from collections.abc import Sequence
@@ -10,9 +10,9 @@ from hh_exudyn.kernel import kernel
 
 
 class Rate(NamedTuple):
-    """A piecewise linear rate of wear: slope times energy plus offset, in the regime that holds.
+    """A piecewise linear rate of wear: slope times energy plus offset of the regime.
 
-    The regime is the number of limits at or below the quantity that the law looks at; SI units of the law.
+    The regime is the number of limits at or below the law's quantity (`rate_regime`); SI units of the law.
     """
 
     limits: tuple[float, ...]  # REGIMES - 1, rising; infinite where there are fewer regimes
@@ -23,7 +23,7 @@ class Rate(NamedTuple):
 def rate_numbers(
     limits: Sequence[float], slopes: Sequence[float], offsets: Sequence[float]
 ) -> tuple[float, ...]:
-    """The numbers of a law that has a rate alone, as `read_rate` takes them.
+    """The numbers of a law that is a rate alone, for `read_rate`.
 
     Parameters
     ----------
@@ -40,7 +40,13 @@ def rate_numbers(
 
 @kernel
 def read_rate(numbers: FloatArray) -> Rate:
-    """The rate in a law's numbers: the inverse of `rate_numbers`, filled up to `REGIMES` regimes."""
+    """The rate in a law's numbers: the inverse of `rate_numbers`, filled up to `REGIMES` regimes.
+
+    Parameters
+    ----------
+    numbers
+        (3 REGIMES - 1,) numbers from `rate_numbers`.
+    """
     return Rate(
         (numbers[0], numbers[1], numbers[2]),
         (numbers[3], numbers[4], numbers[5], numbers[6]),
@@ -50,7 +56,15 @@ def read_rate(numbers: FloatArray) -> Rate:
 
 @kernel
 def rate_regime(quantity: float, rate: Rate) -> int:
-    """The regime that holds: the number of limits at or below the quantity."""
+    """The regime: number of limits at or below the quantity, in the unit of the limits (kernel).
+
+    Parameters
+    ----------
+    quantity
+        In the unit of the limits.
+    rate
+        The rate.
+    """
     regime = 0
     for limit in rate.limits:
         if quantity >= limit:
@@ -60,5 +74,15 @@ def rate_regime(quantity: float, rate: Rate) -> int:
 
 @kernel
 def rate_in_regime(regime: int, energy: float, rate: Rate) -> float:
-    """Slope times energy plus offset."""
+    """Slope times energy plus offset of a regime, in the units of the law (kernel).
+
+    Parameters
+    ----------
+    regime
+        From `rate_regime`.
+    energy
+        In the unit of the law.
+    rate
+        The rate.
+    """
     return rate.slopes[regime] * energy + rate.offsets[regime]

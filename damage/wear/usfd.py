@@ -6,11 +6,11 @@ of contact [ug] over the wear number per contact area x = Tg/A [N/mm^2] is
 
     5.3 x below 10.4,   55 from 10.4 to 77.2,   61.9 x - 4723.7 above.
 
-The last line is 55 + 61.9 (x - 77.2). Some papers and public code print 61.9 x - 4778.7, which forgets the 55
-that has been reached: the wear would fall from 55 to 0 at 77.2.
+The last line is 55 + 61.9 (x - 77.2). Some papers and public code print 61.9 x - 4778.7, which omits the 55
+of the plateau: the wear would fall from 55 to 0 at 77.2.
 
-`usfd` takes Tg of the whole patch over its area, and wears the patch evenly: a strip by its length of
-contact. `ward` takes the law cell by cell with the cell's own energy (A. Ward, R. Lewis, R.S. Dwyer-Joyce,
+`usfd` uses Tg of the whole patch over its area, with even wear over the patch: a strip by its length of
+contact. `ward` applies the law cell by cell with the cell's own energy (A. Ward, R. Lewis, R.S. Dwyer-Joyce,
 Incorporating a railway wheel wear model into multi-body simulations of wheelset dynamics, 2003): cells in
 stick do not wear.
 """
@@ -26,8 +26,8 @@ from damage.wear.rate import rate_in_regime, rate_numbers, rate_regime, read_rat
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import kernel
 
-_MASS = 1e-3  # [kg/m/m^2] in [ug/m/mm^2]
-_STRESS = 1e6  # [Pa] in [N/mm^2]
+_MASS = 1e-3  # kg/m/m^2 per ug/m/mm^2
+_STRESS = 1e6  # Pa per N/mm^2
 _DENSITY = parameters("wear", "usfd")["density"].value
 USFD_REGIMES = ("mild", "severe", "catastrophic")
 
@@ -58,7 +58,7 @@ def _rate(density: float) -> tuple[float, ...]:
 
 @kernel
 def usfd_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
-    """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`."""
+    """Wear depth on the wheel per revolution, by strip and regime; arguments: `LawKernel`."""
     patch, energy = solved.patch, energies_of_strips(solved, depth)
     depth[:] = 0.0
     if not energy > 0.0:
@@ -74,7 +74,7 @@ def usfd_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> 
 
 @kernel
 def ward_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
-    """Wear depth on the wheel per revolution, by strip and regime: a `LawKernel`, summed over the cells."""
+    """Wear depth on the wheel per revolution, by strip and regime, from the cells; arguments: `LawKernel`."""
     patch, fields, rate = solved.patch, solved.fields, read_rate(numbers)
     cells_y, cells_x = fields.pressure.shape
     depth[:] = 0.0

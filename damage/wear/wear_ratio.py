@@ -1,15 +1,15 @@
 """Wear ratio: the depth of a detailed law over the dissipated energy, per lateral position of the wheel.
 
 S. Hossein-Nia, paper E, and figure 3-26 of the thesis (KTH 2018): the ratio is learnt from the first wear
-steps, which are computed in full (Archard's law after Jendel); in later steps the energy that the simulation
-gives anyway is multiplied by it, which spares the patches' solution. The price there was an error of 10 to
+steps, which are computed in full (Archard's law after Jendel); in later steps the dissipated energy of the
+simulation is multiplied by it, without solving the patches. There the error was 10 to
 60 % of the worn volume, most of it on the flange where lubrication changes: `error` compares with a full
 step.
 
-Where it comes from: in the cells that slip |q| = mu p, so with elastic slip and within one region of the
-wear map the ratio is k/(H mu) exactly, whatever the load and the creepages. It holds for the friction, the
+Reason: in the cells that slip |q| = mu p, so with elastic slip and within one region of the
+wear map the ratio is k/(H mu) exactly, for any load and creepages. It holds for the friction, the
 region and the lubrication that it was learnt in: from friction mu_1 to mu_2 the volume is off by
-mu_2/mu_1 - 1. Energy over friction may be given for the energy, which removes that part.
+mu_2/mu_1 - 1. Energy over friction in place of the energy removes that part.
 
 Depth and energy lie on the same lateral grid, in any unit that stays the same: metres and joules per bin, or
 depth per km and N.
@@ -36,7 +36,7 @@ class RatioError:
         Half the sum of the depths' differences after scaling to the same volume, over the full step's [-]:
         the share of the volume that lies in the wrong place.
     unlearnt
-        Share of the energy that lies where nothing was learnt [-].
+        Share of the energy at positions without a learnt ratio [-].
     """
 
     volume: float
@@ -80,7 +80,13 @@ class WearRatio:
 
     @classmethod
     def learn(cls, depth: ArrayLike, energy: ArrayLike) -> "WearRatio":
-        """From full steps: depth and energy (..., B), summed over all but the positions."""
+        """From full steps: depth and energy (..., B), summed over all but the positions.
+
+        Parameters
+        ----------
+        depth, energy
+            (..., B) depths and dissipated energies of the full steps, >= 0.
+        """
         depths, energies = np.asarray(depth, dtype=np.float64), np.asarray(energy, dtype=np.float64)
         if depths.ndim == 0 or depths.shape != energies.shape:
             raise ValueError(f"depth {depths.shape} and energy {energies.shape} must have one shape (..., B)")
@@ -102,12 +108,12 @@ class WearRatio:
 
     @property
     def ratio(self) -> FloatArray:
-        """(B,) depth over energy; NaN where nothing was learnt."""
+        """(B,) depth over energy; NaN at positions without energy in the learnt steps."""
         ratio: FloatArray = np.full_like(self.depth, np.nan)
         return np.divide(self.depth, self.energy, out=ratio, where=self.energy > 0.0)
 
     def apply(self, energy: ArrayLike) -> FloatArray:
-        """Depth (..., B) of the energy of a later step; the `mean` ratio holds where nothing was learnt.
+        """Depth (..., B) of the energy of a later step; the `mean` ratio at positions without a learnt one.
 
         Raises
         ------
@@ -120,6 +126,11 @@ class WearRatio:
 
     def error(self, energy: ArrayLike, depth: ArrayLike) -> RatioError:
         """Compare with a full step: energy and depth (..., B), any part of the profile set to 0 in both.
+
+        Parameters
+        ----------
+        energy, depth
+            (..., B) of the full step, >= 0.
 
         Raises
         ------
@@ -140,7 +151,7 @@ class WearRatio:
         return RatioError(given / worn - 1.0, float(misplaced), float(unlearnt))
 
     def to_table(self) -> pyarrow.Table:
-        """One row a position: depth, energy, ratio."""
+        """One row per position: depth, energy, ratio."""
         return pyarrow.table({"depth": self.depth, "energy": self.energy, "ratio": self.ratio})
 
     def _checked(self, name: str, given: ArrayLike) -> FloatArray:

@@ -8,8 +8,7 @@
 `report`         `standard_assessment(run)`: the percentiles of every section and place
 ===============  ====================================================================================
 
-Filters are those of `hh_exudyn.signals`. None of the standards was at hand. How quantities are processed was
-read in GENSYS's table of UIC 518; most limits are unconfirmed and every table says which. The quality of the
-track that a run went over is not judged here: `track.irregularity.quality` does that,
-``hh-exudyn track plot CASE`` shows it.
+Filters are those of `hh_exudyn.signals`. None of the standards was available. The processing of the
+quantities is that of GENSYS's table of UIC 518; most limits are unconfirmed and marked so in every table.
+Track quality is not assessed here, but by `track.irregularity.quality` and ``hh-exudyn track plot CASE``.
 """

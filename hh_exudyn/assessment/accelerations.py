@@ -1,6 +1,6 @@
-"""Accelerations of points of a vehicle from its motion log, as of an accelerometer fixed to the body.
+"""Accelerations of points of a vehicle from its motion log, like those of an accelerometer on the body.
 
-The lateral one contains the share of gravity from cant and roll, the vertical one is 0 at rest.
+The lateral acceleration includes the component of gravity by cant and roll; the vertical one is 0 at rest.
 """
 
 from collections.abc import Iterator
@@ -16,7 +16,7 @@ from hh_exudyn.log.store import Run
 from vehicles.description import Vehicle
 
 CAR_BODY, WHEELSET = "car_body", "wheelset"
-FRAMES = ("side_frame", "bogie_frame")  # not the motors that hang on wheelsets
+FRAMES = ("side_frame", "bogie_frame")  # kinds of bodies; motors on wheelsets are left out
 _COLUMNS = ("time", "body", "s", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz")
 
 
@@ -29,7 +29,7 @@ class Place:
     name : str
         "car_body over bogie 1".
     body : str
-        Its name.
+        Name of the body.
     offset : (3,) array
         From the centre of mass, in the axes of the body [m].
     """
@@ -63,7 +63,15 @@ class PointAccelerations:
 
 
 def body_places(vehicle: Vehicle, unit: int = 1) -> list[Place]:
-    """The car bodies of a unit where each bogie carries them: the middle of the couplings to that bogie."""
+    """Points of the car bodies of a unit over each bogie: the middle of the couplings to that bogie.
+
+    Parameters
+    ----------
+    vehicle : Vehicle
+        Description of the vehicle.
+    unit : int
+        Number of the unit, from 1.
+    """
     kind = {body.name: body.kind for body in vehicle.bodies}
     middles: dict[int, list[float]] = {}
     for wheelset in (one for one in vehicle.wheelsets if one.unit == unit):
@@ -83,7 +91,10 @@ def body_places(vehicle: Vehicle, unit: int = 1) -> list[Place]:
 
 
 def bogie_places(vehicle: Vehicle, unit: int = 1) -> list[Place]:
-    """The side frames, or bogie frames, of a unit where they rest on their wheelsets."""
+    """Points of the side frames, or bogie frames, of a unit over their wheelsets.
+
+    Arguments as in `body_places`.
+    """
     kind = {body.name: body.kind for body in vehicle.bodies}
     points: dict[tuple[str, str], list[tuple[float, ...]]] = {}
     for body_a, body_b, point in _coupled(vehicle, unit):
@@ -105,7 +116,14 @@ def _coupled(vehicle: Vehicle, unit: int) -> Iterator[tuple[str, str, tuple[floa
 
 
 def point_accelerations(run: Run, places: list[Place]) -> PointAccelerations:
-    """Accelerations of places of a run: velocities through splines, differentiated.
+    """Accelerations of points of bodies of a run: derivatives of splines through the logged velocities.
+
+    Parameters
+    ----------
+    run : Run
+        The run on disk.
+    places : list of Place
+        Points of its bodies.
 
     Raises
     ------

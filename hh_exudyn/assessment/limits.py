@@ -20,9 +20,9 @@ class Limit:
     value : float
         In the quantity's unit [N, m/s^2, -].
     confirmed : bool
-        Whether it was read where the standard is cited; none was read in the standard itself.
+        Whether the number was read in a work that cites the standard; none was read in the standard itself.
     source : str
-        Where the number is from.
+        Source of the number.
     """
 
     value: float
@@ -47,7 +47,7 @@ def beyond_the_standards(vehicle: Vehicle) -> bool:
 
 
 def limits(vehicle: Vehicle) -> dict[str, Limit]:
-    """The limits of a vehicle by quantity, as far as one is known."""
+    """The limits of a vehicle by quantity; quantities without a known limit are missing."""
     rows = data()["limit"]
     load = static_axle_load(vehicle)
     sum_y = rows["sum_y"]

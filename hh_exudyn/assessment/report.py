@@ -15,12 +15,12 @@ quantity                     processing                                         
 `bogie_lateral_rms`          the same, frames over their wheelsets                  the largest
 ===========================  =====================================================  =======================
 
-Y is positive outwards: a climbing flange has positive Y/Q, so the lower percentile is listed and not judged.
-sum Y is the force of a wheelset on the track, positive to the left. f0 is where the spectrum of sum Y has its
-peak; in a run that is stable it is no frequency of hunting, and the effective values are then small.
+Y is positive outwards: a climbing flange has positive Y/Q, so the lower percentile is listed without a limit.
+sum Y is the force of a wheelset on the track, positive to the left. f0 is the peak frequency of the spectrum
+of sum Y; in a stable run it is not a frequency of hunting, and the effective values are then small.
 
 A filter continues a run beyond its ends by point reflection: in the last second accelerations are a few per
-cent off, so a run should end behind its last test section.
+cent wrong, so a run should end beyond its last test section.
 
 Statistics over many sections (mean plus a multiple of the deviation) are left out: a run has too few.
 """
@@ -76,7 +76,7 @@ class History:
     s, values : (n, places) arrays
         Arc length of each place [m], and the quantity.
     margin : float
-        Half the window of its sliding mean [m]: values nearer to the end of a section see its neighbour.
+        Half the window of its sliding mean [m]: values nearer to the end of a section include its neighbour.
     """
 
     places: tuple[str, ...]
@@ -99,7 +99,7 @@ class Finding:
     Attributes
     ----------
     section, quantity, place
-        Where and what.
+        Test section, name of the quantity, wheelset, wheel or point of a body.
     low, high : float
         Percentiles 0.15 and 99.85; NaN where there are none.
     value : float
@@ -124,18 +124,18 @@ class Finding:
 
 @dataclass(frozen=True, eq=False)
 class Assessment:
-    """A run assessed.
+    """The assessment of a run.
 
     Attributes
     ----------
     vehicle : Vehicle
-        The one that ran.
+        The vehicle of the run.
     sections : tuple of AssessedSection
         From the start of the track.
     findings : tuple of Finding
         By section, quantity and place.
     histories : dict of History
-        Of what was processed, by quantity: sum_y, y_over_q, q, body_lateral, body_vertical.
+        Processed quantities along the track, by name: sum_y, y_over_q, q, body_lateral, body_vertical.
     instability_frequency : float
         f0 [Hz].
     limits : dict of Limit
@@ -213,7 +213,7 @@ def standard_assessment(run: Run, vehicle: int = 1, section_length: float | None
     FileNotFoundError
         The run has no case, contact log or motion log.
     ValueError
-        An output interval above 10 ms, or not the same all along; no stretch of track long enough for a
+        An output interval above 10 ms, or one that is not constant; no stretch of track long enough for a
         section; no such vehicle; a vehicle that stood still.
     """
     case = Case.from_toml(run.case_text, source=f"{run.directory}/case.toml", folder=run.directory)
@@ -235,7 +235,7 @@ def _check_interval(forces: WheelForces) -> None:
     steps = np.diff(forces.time)
     if steps.max() - steps.min() > 1e-6:
         raise ValueError(
-            f"output interval is {1e3 * steps.min():g} to {1e3 * steps.max():g} ms, it must be one all along"
+            f"output interval is {1e3 * steps.min():g} to {1e3 * steps.max():g} ms, it must be constant"
         )
     if forces.interval > LARGEST_INTERVAL * (1.0 + 1e-9):
         raise ValueError(
@@ -298,7 +298,7 @@ def _acceleration_histories(run: Run, vehicle: Vehicle, unit: int, f0: float) ->
 
 
 def _peak_frequency(sum_y: History, interval: float) -> float:
-    """f0: where the mean spectrum of sum Y of all wheelsets is highest [Hz]."""
+    """f0, the peak frequency of the mean spectrum of sum Y of all wheelsets [Hz]."""
     low, high = data()["processing"]["instability"]["search_Hz"]
     count = min(len(sum_y.values), round(4.0 / interval))
     frequency, density = welch(sum_y.values, 1.0 / interval, nperseg=count, detrend="linear", axis=0)
@@ -357,7 +357,7 @@ def _present(
 
 
 def _largest_rms(history: History, section: AssessedSection) -> Iterator[tuple[str, float]]:
-    """Largest sliding effective value; a section that is shorter than the window is taken whole."""
+    """Largest sliding effective value; a section shorter than the window is one window."""
     how = data()["processing"]["instability"]
     for i, place in enumerate(history.places):
         s = history.s[:, i]

@@ -1,4 +1,4 @@
-"""Test sections of a track: straights, transitions and curves apart, cut to the lengths of UIC 518."""
+"""Test sections of a track: straights, transitions and curves, divided by the lengths of UIC 518."""
 
 import math
 from dataclasses import dataclass, replace
@@ -36,17 +36,17 @@ class AssessedSection:
 
     @property
     def length(self) -> float:
-        """[m]."""
+        """Length of the section [m]."""
         return self.end - self.start
 
     @property
     def radius(self) -> float:
-        """[m], infinite without curvature."""
+        """Radius [m], infinite without curvature."""
         return 1.0 / abs(self.curvature) if self.curvature else math.inf
 
     @property
     def hand(self) -> str:
-        """ "left", "right", or nothing."""
+        """Hand of the curve: "left", "right", or empty."""
         return "" if not self.curvature else "left" if self.curvature > 0.0 else "right"
 
     @property
@@ -60,15 +60,15 @@ def cut_sections(
 ) -> tuple[AssessedSection, ...]:
     """The test sections of an alignment that a run covers.
 
-    A straight or curve holds as many whole sections as fit; the rest is at its start, where the vehicle still
-    settles. A transition is one section. A stretch shorter than one section has none.
+    A straight or curve holds as many whole sections as fit; the remainder is at its start, where the vehicle
+    still settles. A transition is one section. A stretch shorter than one section has none.
 
     Parameters
     ----------
     alignment : Alignment
         Of the run.
     covered : (float, float)
-        Arc lengths between which every wheelset went [m].
+        Arc lengths between which every wheelset has run [m].
     length : float or None
         Of the sections of straights and curves [m], 10 to 1000; None, the default, for those of UIC 518.
 

@@ -22,7 +22,7 @@ def sliding_mean(s: FloatArray, values: FloatArray, centres: FloatArray, window:
     Raises
     ------
     ValueError
-        s that does not increase, a window of no length or beyond the values.
+        s that does not increase, a window of length 0 or beyond the values.
     """
     if not np.all(np.diff(s) > 0.0):
         raise ValueError("arc length does not increase all along: the vehicle stood still or rolled back")
@@ -53,6 +53,15 @@ def window_centres(start: float, end: float, window: float, step: float) -> Floa
     """Centres of windows `step` metres apart that lie wholly between two places [m]; at least one.
 
     Raises ValueError where not one window fits.
+
+    Parameters
+    ----------
+    start, end : float
+        Ends of the range [m].
+    window : float
+        Length of a window [m].
+    step : float
+        Distance of the centres [m].
     """
     room = end - start - window
     if room < -1e-9:

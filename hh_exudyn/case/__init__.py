@@ -3,7 +3,7 @@
 =============  ======================================================================================
 `case`         `Case` itself and `read_case`
 `track`        the track: rails, foundation, irregularities, alignment
-`contact`      contact theories, and the step of the integration
+`contact`      contact theories, damping; step of the integration, output interval of the logs
 `alignment`    sections, grades, files of the alignment
 `rails`        rail profiles by name or file
 `friction`     the table of friction: zones, climate, treatment, sections

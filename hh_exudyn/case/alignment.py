@@ -24,7 +24,7 @@ def _gauge(default: float | None = NOMINAL_GAUGE * 1000) -> Any:
 
 
 class StraightCase(CaseTable):
-    """A straight; the section's rails; the track's where it names none."""
+    """A straight. Its rails are those of the track unless it names its own."""
 
     kind: Literal["straight"] = "straight"
     length_m: float = number("m", 1, 100_000)
@@ -42,12 +42,12 @@ class StraightCase(CaseTable):
         return Straight(length=self.length_m, gauge=self.gauge_mm / 1000)
 
     def mirrored(self) -> Self:
-        """The same but for the rails: a straight has no hand."""
+        """The same with the rails exchanged: a straight has no hand."""
         return self.model_copy(update={"rail_left": self.rail_right, "rail_right": self.rail_left})
 
 
 class TransitionCase(CaseTable):
-    """From one neighbour to the other, cant and gauge with the curvature.
+    """A transition between its neighbours, in curvature, cant and gauge.
 
     Between two curves of one radius it is a cant ramp. `gauge_mm` is the gauge at its middle; without it the
     gauge follows one ramp too.
@@ -64,17 +64,17 @@ class TransitionCase(CaseTable):
         return Transition(length=self.length_m, gauge=gauge, shape=self.shape)
 
     def rails(self, track: Rails) -> None:
-        """No rails of its own: they change in its middle from one neighbour's to the other's."""
+        """None: the rails change at its middle from those of one neighbour to those of the other."""
 
     def mirrored(self) -> Self:
-        """The same: its neighbours say where it turns to."""
+        """The same: its direction follows from its neighbours."""
         return self
 
 
 class CurveCase(CaseTable):
     """A curve of constant radius; the cant raises its outer rail.
 
-    The section's high (outer) and low rail; the track's where it names none.
+    Its high (outer) and low rail are those of the track unless it names its own.
     """
 
     kind: Literal["curve"] = "curve"
@@ -107,7 +107,7 @@ class CurveCase(CaseTable):
 
 
 class RampCase(CaseTable):
-    """Curvature, cant and gauge, each linear between two numbers that are written out: beginning and end.
+    """Curvature, cant and gauge, each linear between given values at beginning and end.
 
     Radii are positive to the left, negative to the right, 0 in a straight. The cant raises the outer rail.
     """
@@ -150,16 +150,16 @@ class RampCase(CaseTable):
         )
 
     def rails(self, track: Rails) -> None:
-        """No rails of its own, as a transition."""
+        """None, as for a transition."""
 
     def mirrored(self) -> Self:
-        """The ramp to the other side."""
+        """The ramp with left and right exchanged."""
         r0, r1 = self.radius_m
         return self.model_copy(update={"radius_m": (-r0, -r1)})
 
 
 def _curvature(radius: float) -> float:
-    """[1/m], 0 where the radius is given as 0."""
+    """Curvature [1/m]; 0 for the radius 0, which stands for straight track."""
     return 1.0 / radius if radius else 0.0
 
 
@@ -169,7 +169,7 @@ def _signed(cant: float, radius: float) -> float:
 
 
 class GradeCase(CaseTable):
-    """A stretch of the vertical profile; with `end_per_mille` the gradient goes there, a vertical curve."""
+    """A stretch of the vertical profile; with `end_per_mille` a vertical curve to that gradient."""
 
     length_m: float = number("m", 1, 100_000)
     gradient_per_mille: float = number("per mille", -50, 50)
@@ -187,12 +187,12 @@ class GradeCase(CaseTable):
 
 
 class CentreLineCase(CaseTable):
-    """Surveyed points (`track.course.survey.read_centre_line_csv`) and how they are smoothed to an alignment.
+    """Surveyed points (`track.course.survey.read_centre_line_csv`) and their smoothing to an alignment.
 
-    Keys and defaults as in `track.course.centre_line.fit_centre_line`; the cant is made that of no cant
-    deficiency at `balance_speed_km_h`. A run must begin on straight track, which surveyed points never quite
-    are: so `approach_m` of track are put ahead of the first point, half of them straight, half a transition
-    to what the line has there, on its first gradient. 0 leaves them out.
+    Keys and defaults as in `track.course.centre_line.fit_centre_line`; the cant is that of zero cant
+    deficiency at `balance_speed_km_h`. A run must begin on straight track, and surveyed points are never
+    exactly straight: so `approach_m` of track precede the first point, half of it straight, half a transition
+    to curvature and cant of the line there, on its first gradient; 0 for none.
     """
 
     file: str = Field(min_length=1, json_schema_extra={"allowed": "a file (.csv)"})
@@ -225,7 +225,7 @@ SectionCase = Annotated[StraightCase | TransitionCase | CurveCase | RampCase, Fi
 
 
 def gauges_mm(section: StraightCase | TransitionCase | CurveCase | RampCase) -> tuple[float, ...]:
-    """The gauges that a section is given, none for a transition that takes its neighbours'."""
+    """The gauges that a section states; none for a transition without `gauge_mm`."""
     gauge = section.gauge_mm
     if isinstance(gauge, tuple):
         return gauge

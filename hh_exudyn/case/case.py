@@ -1,9 +1,8 @@
-"""A `Case`: one vehicle on one track, everything a run needs, as a frozen value.
+"""A `Case`: the complete input of a run, one vehicle on one track, as a frozen value.
 
-A case is written to and read from TOML. Its keys carry their units (``speed_km_h``, ``gauge_mm``), for this
-is the edge of the toolkit; the properties `speed` and `alignment` give SI. A case that exists is valid: it is
-checked whenever it is made, and every fault is a `CaseError` of one line with file, key, value, unit and
-what is allowed.
+A case is written to and read from TOML. Units are in the names of its keys (``speed_km_h``, ``gauge_mm``);
+properties and methods such as `speed` and `alignment` give SI. Every case is checked when it is made, and
+every fault is a `CaseError` of one line with file, key, value, unit and what is allowed.
 """
 
 import tomllib
@@ -30,7 +29,7 @@ from hh_exudyn.case.contact import ContactCase, IntegrationCase
 from hh_exudyn.case.errors import CaseError, explain
 from hh_exudyn.case.fields import CaseTable, from_folder, is_path, number
 from hh_exudyn.case.friction import FrictionCase
-from hh_exudyn.case.rails import read_profile
+from hh_exudyn.case.rails import profile_in_file
 from hh_exudyn.case.track import TrackCase
 from hh_exudyn.case.traction import SteeringCase, TractionCase
 from hh_exudyn.case.train import BrakeCase, TrainCase
@@ -46,12 +45,12 @@ from track.course.alignment import Alignment
 from vehicles.description import Vehicle
 
 _RAILS = ("rail", "rail_left", "rail_right", "rail_high", "rail_low")
-_FILES = ("wheel_profile", "irregularity", *_RAILS)  # keys that may have the path of a file
-SHORTEST_TRACK_M = 30.0  # a wagon of 10.29 m and some way to run
+_FILES = ("wheel_profile", "irregularity", *_RAILS)  # keys with a name or the path of a file
+SHORTEST_TRACK_M = 30.0  # a wagon of 10.29 m and some track ahead
 
 
 def _number_or_table(value: Any) -> str:
-    """How friction is given, as a tag of `_Friction`."""
+    """Form of the friction in a case, as a tag of `_Friction`."""
     return "table" if isinstance(value, dict | FrictionCase) else "number"
 
 
@@ -62,13 +61,13 @@ _Friction = Annotated[
 
 
 class Case(CaseTable):
-    """One vehicle on one track: what a run is made from.
+    """The complete input of a run: one vehicle on one track.
 
-    Attributes carry their units; see the field bounds for the allowed ranges. `vehicle` is a name of the
-    catalogue or a variant; the path of a vehicle file becomes the table of what it changes
+    Units are in the names of the attributes, allowed ranges in the fields. `vehicle` is a name of the
+    catalogue or a variant; the path of a vehicle file becomes the table of its changed numbers
     (`hh_exudyn.case.vehicle`). `wheel_profile` is a published
     profile (``"S1002"``) or the path of a profile file. `friction` is one coefficient for all patches, or a
-    table where it is not the same everywhere (`hh_exudyn.case.friction`). `traction` and `steering` are for
+    table for friction by place, zone and slip (`hh_exudyn.case.friction`). `traction` and `steering` are for
     vehicles with drives (`hh_exudyn.case.traction`); such a vehicle without the first has the default table.
     `train` passes a force through a hauled vehicle, `brake` presses the brake shoes of one that has them
     (`hh_exudyn.case.train`).
@@ -143,7 +142,7 @@ class Case(CaseTable):
 
     @model_validator(mode="after")
     def _check_friction(self) -> Self:
-        """Its sections lie on the track, and the lubricated wheelsets are there."""
+        """Friction sections lie on the track, and the vehicle has the lubricated wheelsets."""
         if isinstance(self.friction, FrictionCase):
             end = self.alignment().length
             for i, section in enumerate(self.friction.sections):
@@ -158,7 +157,7 @@ class Case(CaseTable):
 
     @model_validator(mode="after")
     def _check_drives(self) -> Self:
-        """Only a vehicle with drives has a driver, and actuators to steer with."""
+        """Only a vehicle with drives has a driver and steering actuators."""
         for name in ("traction", "steering"):
             if getattr(self, name) is not None and not self.described_vehicle().drives:
                 raise ValueError(f"{name} given: vehicle {self.described_vehicle().name} has no drives")
@@ -166,7 +165,7 @@ class Case(CaseTable):
 
     @model_validator(mode="after")
     def _check_hauled(self) -> Self:
-        """The train has two couplers to act on, and the braked wheels are there."""
+        """The vehicle has both couplers for the force of a train, and the braked wheels."""
         if self.train is not None:
             self.train.require_through(self.described_vehicle())
         if self.brake is not None:
@@ -190,7 +189,7 @@ class Case(CaseTable):
 
     @property
     def least_gauge(self) -> float:
-        """The gauge at which the flange clearance is used up [m]."""
+        """The gauge with zero flange clearance [m]."""
         return BACK_TO_BACK + 2 * flange_thickness(self.wheel)
 
     def alignment(self) -> Alignment:
@@ -203,7 +202,7 @@ class Case(CaseTable):
         Raises
         ------
         ValueError
-            A wheelset is to be lubricated that the vehicle does not have.
+            The vehicle does not have a lubricated wheelset.
         """
         if isinstance(self.friction, FrictionCase):
             return self.friction.table(wheelsets)
@@ -281,7 +280,7 @@ class Case(CaseTable):
         source
             Name of the file, for error messages.
         folder
-            Where the relative path of any file starts; the working directory if None.
+            Start of the relative paths; the working directory if None.
 
         Raises
         ------
@@ -320,7 +319,7 @@ def read_case(path: str | Path) -> Case:
 
 
 def _start_in(folder: Path, data: dict[str, Any]) -> None:
-    """Relative paths in a raw case start at its folder; names of built-in things stay as they are."""
+    """Make the relative paths of a raw case start at its folder; names of profiles are unchanged."""
     track = data.get("track")
     track = track if isinstance(track, dict) else {}
     start_in(folder, data)
@@ -334,7 +333,7 @@ def _start_in(folder: Path, data: dict[str, Any]) -> None:
 
 
 def _wheel(name: str) -> Profile:
-    return read_profile(read_wheel_profile, name) if is_path(name) else wheel_profile(name)
+    return profile_in_file(read_wheel_profile, name) if is_path(name) else wheel_profile(name)
 
 
 def _merged(old: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:

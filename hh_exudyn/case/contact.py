@@ -17,16 +17,16 @@ class ContactCase(CaseTable):
     The default of d is assumed, from the range of steel: d = 1.5 c with the coefficient of restitution 1 -
     c v at low speeds v of impact (Hunt and Crossley, J. Applied Mechanics 1975), c = 0.08 to 0.32 s/m (quoted
     from memory), so d = 0.12 to 0.48 s/m. It is a damper of 24 kN s/m at 80 kN; SIMPACK's usual one is about
-    140, d = 1.75 s/m, which steadies more than steel does. In the demo 0.3 s/m take 0.1 % of the energy lost
+    140, d = 1.75 s/m, more damping than that of steel. In the demo 0.3 s/m take 0.1 % of the energy lost
     in the contacts and 1.75 take 0.6 %; on ERRI-low down to 0.5 m the vertical forces above 100 Hz are 4 to
-    45 N (rms) with either, on rigid track 10 % less with 1.75. Only where a wheel jumps between root and
-    flange (R 250 m, friction 0.5) does it count: 6 and 13 % of the energy, peaks of 640 and 490 kN, rms above
+    45 N (rms) with either, on rigid track 10 % less with 1.75. It matters only where a wheel jumps between
+    root and flange (R 250 m, friction 0.5): 6 and 13 % of the energy, peaks of 640 and 490 kN, rms above
     100 Hz alike. Contact modes near 580 Hz are damped to 17 and 39 % of critical. These figures are older
     than the frames of the rails (`track.course.rail_frame`) and not measured again since.
 
     With 32 cells along each of 16 strips the lateral wheel forces of the demo are within 0.6 % of those with
-    50 x 50 cells and half the step; strips in eights fill the vector registers. With the theory "given"
-    profiles, coefficients and conicity are those that the vehicle states.
+    50 x 50 cells and half the step; multiples of eight strips fill the vector registers. With the theory
+    "given" profiles, coefficients and conicity are those of the vehicle.
     """
 
     normal: Literal[*NORMAL_THEORIES] = "hertz"  # type: ignore[valid-type]
@@ -43,7 +43,7 @@ class ContactCase(CaseTable):
 
 
 class IntegrationCase(CaseTable):
-    """Step of the time integration and distance in time of the logged states."""
+    """Step of the time integration and output interval of the logs."""
 
     step_ms: float = number("ms", 0.05, 0.5, 0.4)
     output_interval_ms: float = number("ms", 0.05, 1000, 4.0)

@@ -1,4 +1,4 @@
-"""One clear line out of pydantic's errors: key path, value, unit, what is allowed, and a guess at typos."""
+"""Messages of one line from pydantic's errors: key, value, unit, what is allowed, the nearest known key."""
 
 import difflib
 import json
@@ -11,11 +11,11 @@ from pydantic_core import ErrorDetails
 
 
 class CaseError(ValueError):
-    """A case that cannot be run; the message is one line for the user."""
+    """A fault of a case; the message is one line."""
 
 
 def closest(word: str, known: Iterable[str]) -> str:
-    """``; did you mean "..."?`` with the nearest known word, or nothing where none is near."""
+    """``; did you mean "..."?`` with the nearest known word; empty if none is near."""
     near = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
     return f'; did you mean "{near[0]}"?' if near else ""
 
@@ -71,7 +71,7 @@ def _locate(
     """Key path as in the file, the table that holds the key, and its field (None if unknown)."""
     key, owner, field = "", model, None
     inner: list[type[BaseModel]] = [model]  # tables that the next key may belong to
-    ways: list[str] = []  # in which the value may be given, which stand in pydantic's path, not in the file
+    ways: list[str] = []  # forms of the value ("number", "table"): in pydantic's path, not in the file
     for part in location:
         if isinstance(part, int):
             key += f"[{part}]"
@@ -100,7 +100,7 @@ def _tables(annotation: Any) -> list[type[BaseModel]]:
 
 
 def _ways(annotation: Any) -> list[str]:
-    """The tags of a type that may be given as this or as that, as a number or a table."""
+    """The tags of a type with several forms, such as a number or a table."""
     parts = [part for way in get_args(annotation) for part in get_args(way)]
     return [part.tag for part in parts if isinstance(part, Tag)]
 
@@ -112,20 +112,20 @@ def _tag(table: type[BaseModel]) -> str | None:
 
 
 def _tags(field: FieldInfo | None) -> list[str]:
-    """All kinds that a field may take."""
+    """All kinds of a field."""
     tables = [] if field is None else _tables(field.annotation)
     return [str(_tag(table)) for table in tables]
 
 
 def _expected(field: FieldInfo | None) -> str:
-    """What a field without a range takes."""
+    """Allowed values of a field without a range, in words."""
     if field is None:
         return ""
     return "allowed a table" if _tables(field.annotation) else "allowed a text"
 
 
 def _shown(value: Any) -> str:
-    """A value as the file would have it, cut where long."""
+    """A value as in a file, shortened if long."""
     if isinstance(value, float):
         return f"{value:g}"
     try:

@@ -13,18 +13,38 @@ class CaseTable(BaseModel):
 
 
 def number(unit: str, low: float, high: float, default: Any = ...) -> Any:
-    """Field of a number from `low` to `high` [unit]; the error messages read the same texts."""
+    """Field of a number from `low` to `high` [unit]; error messages use the same texts.
+
+    Parameters
+    ----------
+    unit : str
+        Of the number, "-" without one.
+    low, high : float
+        Allowed range, ends included.
+    default
+        Default value; required without it.
+    """
     extra: dict[str, Any] = {"unit": unit, "allowed": f"{low:g} to {high:g}"}
     return Field(default, ge=low, le=high, json_schema_extra=extra)
 
 
 def is_path(name: str) -> bool:
-    """Whether a name is a file: what is built in has neither folder nor ending."""
+    """Whether a name is a path: built-in names have neither folder nor suffix."""
     return "/" in name or "\\" in name or "." in name
 
 
 def from_folder(table: Any, folder: Path, *keys: str) -> None:
-    """Let the relative paths that a raw table may have under the keys start at `folder`."""
+    """Make relative paths under the keys of a raw table start at `folder`.
+
+    Parameters
+    ----------
+    table : dict
+        Raw table, changed.
+    folder : Path
+        Start of relative paths.
+    keys : str
+        Keys with paths.
+    """
     for key in keys:
         name = table.get(key) if isinstance(table, dict) else None
         if isinstance(name, str) and name:

@@ -1,7 +1,7 @@
 """The table ``[friction]`` of a case file, in place of one number for all wheels. See `hh_exudyn.case.case`.
 
-It says the weather or the coefficients of tread, gauge corner and flange, what treats them, how friction
-falls with slip, and from where on the track any of this is different::
+Weather or coefficients of tread, gauge corner and flange, treatments, falling friction, and sections of the
+track with other values::
 
     [friction]
     climate = "cold_dry"
@@ -18,47 +18,54 @@ falls with slip, and from where on the track any of this is different::
 
 from collections.abc import Iterable
 from itertools import pairwise
-from typing import Any, Self
+from typing import Annotated, Self, TypeVar
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import AfterValidator, Field, model_validator
 
 from hh_exudyn.case.errors import closest
 from hh_exudyn.case.fields import CaseTable, number
 from hh_exudyn.contact.friction import FrictionTable
 from track.friction import ZONES, Falling, Friction, FrictionSection, Zones, climate, falling, known
 
+_Names = TypeVar("_Names", str, tuple[str, ...])
+
+
+def _named(kind: str) -> AfterValidator:
+    """A check of a name, or several, that the data file must have; its ValueError is the field's message."""
+
+    def checked(value: _Names) -> _Names:
+        names = known(kind)
+        for name in (value,) if isinstance(value, str) else value:
+            if name not in names:
+                raise ValueError(f"allowed {', '.join(names)}{closest(name, names)}")
+        return value
+
+    return AfterValidator(checked)
+
+
+_Climate = Annotated[str, _named("climate")]
+_Falling = Annotated[str, _named("falling")]
+_Treatment = Annotated[str, _named("treatment")]
+_Treatments = Annotated[tuple[str, ...], _named("treatment")]
 _A_LIST = 'a list of treatments, as ["flange_lubrication"]'
 _WHEELSETS = "a list of whole numbers, 1 the leading wheelset"
 
 
 class SurfaceCase(CaseTable):
-    """Friction of a surface: a climate, or a coefficient each of tread, gauge corner and flange; treatments.
+    """Friction of a surface: a climate, or coefficients of tread, gauge corner and flange; treatments.
 
-    Keys that are left out are those of the table around it. Climates and treatments: `track.friction.known`.
+    Missing keys are those of the enclosing table. Climates and treatments: `track.friction.known`.
     """
 
-    climate: str | None = None
+    climate: _Climate | None = None
     tread: float | None = number("-", 0.01, 1.0, None)
     gauge_corner: float | None = number("-", 0.01, 1.0, None)
     flange: float | None = number("-", 0.01, 1.0, None)
-    treatments: tuple[str, ...] | None = Field(None, strict=False, json_schema_extra={"allowed": _A_LIST})
-
-    @field_validator("climate")
-    @classmethod
-    def _check_climate(cls, value: str | None) -> str | None:
-        if value is not None:
-            _require_known("climate", (value,))
-        return value
-
-    @field_validator("treatments")
-    @classmethod
-    def _check_treatments(cls, value: tuple[str, ...] | None) -> tuple[str, ...] | None:
-        _require_known("treatment", value or ())
-        return value
+    treatments: _Treatments | None = Field(None, strict=False, json_schema_extra={"allowed": _A_LIST})
 
     @model_validator(mode="after")
     def _check_one_way(self) -> Self:
-        """A climate or three numbers, not both, not fewer."""
+        """A climate or all three coefficients, not both."""
         given = [name for name in ZONES if getattr(self, name) is not None]
         if given and self.climate is not None:
             raise ValueError(f'climate = "{self.climate}" and {given[0]}: allowed is one or the other')
@@ -68,7 +75,7 @@ class SurfaceCase(CaseTable):
         return self
 
     def untreated(self) -> Zones | None:
-        """The table's own untreated surface; None where it states none."""
+        """The untreated surface of this table; None without one."""
         if self.climate is not None:
             return climate(self.climate)
         if self.tread is None or self.gauge_corner is None or self.flange is None:
@@ -77,7 +84,7 @@ class SurfaceCase(CaseTable):
 
 
 class BothRailsCase(SurfaceCase):
-    """A surface on both rails, and what is different on the left or the right one."""
+    """A surface on both rails, with other values on the left or the right one."""
 
     left: SurfaceCase | None = None
     right: SurfaceCase | None = None
@@ -88,39 +95,26 @@ class BothRailsCase(SurfaceCase):
 
 
 class FrictionSectionCase(BothRailsCase):
-    """From `start_m` on friction is different, up to the next section."""
+    """Friction from `start_m` to the next section."""
 
     start_m: float = number("m", 0, 1_000_000)
 
 
 class FrictionCase(BothRailsCase):
-    """Friction that is not the same everywhere.
+    """Friction by place on the track, zone of the wheel and slip speed.
 
-    `falling`: a characteristic of `track.friction.known`, which falls from the coefficients, those at rest;
-    without it friction is the same at any slip. `lubricated_wheelsets` bring their own `lubrication`, a
-    treatment, wherever they are. One section changes into the next over `ramp_m`.
+    `falling`: a characteristic of `track.friction.known`, from the coefficients at rest downwards; without it
+    friction does not depend on slip. `lubricated_wheelsets` have the treatment `lubrication` everywhere. One
+    section changes into the next over `ramp_m`.
     """
 
-    falling: str | None = None
+    falling: _Falling | None = None
     lubricated_wheelsets: tuple[int, ...] = Field((), strict=False, json_schema_extra={"allowed": _WHEELSETS})
-    lubrication: str = "flange_lubrication"
+    lubrication: _Treatment = "flange_lubrication"
     ramp_m: float = number("m", 0.1, 100, 2.0)
     sections: tuple[FrictionSectionCase, ...] = Field(
         (), strict=False, json_schema_extra={"allowed": "tables [[friction.sections]]"}
     )
-
-    @field_validator("falling")
-    @classmethod
-    def _check_falling(cls, value: str | None) -> str | None:
-        if value is not None:
-            _require_known("falling", (value,))
-        return value
-
-    @field_validator("lubrication")
-    @classmethod
-    def _check_lubrication(cls, value: str) -> str:
-        _require_known("treatment", (value,))
-        return value
 
     @model_validator(mode="after")
     def _check_sections(self) -> Self:
@@ -163,12 +157,12 @@ class FrictionCase(BothRailsCase):
         )
 
     def table(self, wheelsets: int) -> FrictionTable:
-        """The form that the contact of a vehicle with that many wheelsets reads.
+        """The table for the contact kernels, for a vehicle with that many wheelsets.
 
         Raises
         ------
         ValueError
-            A wheelset is to be lubricated that the vehicle does not have.
+            The vehicle does not have a lubricated wheelset.
         """
         for i, wheelset in enumerate(self.lubricated_wheelsets):
             if not 1 <= wheelset <= wheelsets:
@@ -181,18 +175,10 @@ class FrictionCase(BothRailsCase):
 
 
 def _zones(tables: Iterable[SurfaceCase | None]) -> Zones:
-    """Friction of one rail: that of the first table that states any."""
+    """Friction of one rail: that of the first table with a surface."""
     said = [table for table in tables if table is not None]
     zones = next((zones for table in said if (zones := table.untreated()) is not None), None)
     if zones is None:
         raise ValueError(f"climate is missing: allowed {', '.join(known('climate'))}; or {', '.join(ZONES)}")
     treatments = next((table.treatments for table in said if table.treatments is not None), ())
     return zones.treated(*treatments)
-
-
-def _require_known(kind: str, names: Iterable[Any]) -> None:
-    """ValueError, as the message of a field, for a name that the data file does not have."""
-    names_known = known(kind)
-    for name in names:
-        if name not in names_known:
-            raise ValueError(f"allowed {', '.join(names_known)}{closest(name, names_known)}")

@@ -1,12 +1,12 @@
-"""From a section of a line (`track.line.line`) to a case that runs on it: geometry, gauge, rails and speed.
+"""Cases on the sections of a line (`track.line.line`), with their geometry, gauge, rails and speed.
 
     base = read_case("base.toml")
     for section in load_sections(read_line("malmbanan"), base.vehicle):
         run = simulate(case_on(base, section), folder / section_name(section))
         ... weighted with section.weight
 
-Vehicle, friction, contact, foundation and irregularities stay the base case's; a line knows the quality of
-its sections by class (`TrackSection.quality`), which is left to the user's choice of ``irregularity``.
+Vehicle, friction, contact, foundation and irregularities are those of the base case. A line has the quality
+class of its sections (`TrackSection.quality`); the choice of an ``irregularity`` for it is the user's.
 """
 
 import math
@@ -20,8 +20,8 @@ from track.line.line import TrackSection
 def track_table(section: TrackSection, *, length: float = 200.0, approach: float = 50.0) -> dict[str, Any]:
     """The ``[track]`` keys that follow from a section of a line, for `Case.with_changes`.
 
-    A curve is entered from a straight over its transition; the straight has the line's gauge of straight
-    track and the rails that the case has of its own.
+    A straight and a transition precede a curve; the straight has the line's gauge of straight track and the
+    rails of the case.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ def track_table(section: TrackSection, *, length: float = 200.0, approach: float
 
 
 def section_name(section: TrackSection) -> str:
-    """A name of a section, unique in its line and fit for a file name."""
+    """A name of a section, unique in its line and valid as a file name."""
     parts = (
         section.country,
         section.name.replace(":", "-"),
@@ -64,16 +64,25 @@ def section_name(section: TrackSection) -> str:
         section.quality.replace(">", "above_"),
         Path(section.pair.high).stem,
     )
-    return "_".join(dict.fromkeys(parts))  # straight track says so twice
+    return "_".join(dict.fromkeys(parts))  # "straight" is both class and hand of straight track
 
 
 def case_on(base: Case, section: TrackSection, *, length: float = 200.0, approach: float = 50.0) -> Case:
     """The base case on a section of a line, at the section's speed; see `track_table`.
 
+    Parameters
+    ----------
+    base : Case
+        Vehicle, friction, contact, foundation and irregularities.
+    section : TrackSection
+        Geometry, gauge, rails and speed.
+    length, approach : float
+        As `track_table` [m].
+
     Raises
     ------
     CaseError
-        A number of the section that no case may have, such as a speed below 5 km/h.
+        A number of the section out of the range of a case, such as a speed below 5 km/h.
     """
     return base.with_changes(
         name=f"{base.name} {section_name(section)}",

@@ -1,4 +1,4 @@
-"""The sourced numbers that a case rests on: of its vehicle, track, irregularities and friction."""
+"""The sourced numbers behind a case: of its vehicle, track, irregularities and friction."""
 
 from hh_exudyn.case.case import Case
 from hh_exudyn.case.friction import FrictionCase, SurfaceCase
@@ -12,12 +12,12 @@ from vehicles.variants import find_variant
 
 
 def case_numbers(case: Case) -> tuple[Parameter, ...]:
-    """Every number of a data file that enters a run, without those that the case file itself states.
+    """Every number of a data file that enters a run, without those of the case file itself.
 
     Parameters
     ----------
     case : Case
-        A vehicle given to `simulate` in place of the case's own is not looked at.
+        The case; a vehicle given to `simulate` in place of its own is not considered.
     """
     vehicle = case.vehicle.variant() if isinstance(case.vehicle, VehicleCase) else find_variant(case.vehicle)
     found = list(vehicle.parameters().parameters)

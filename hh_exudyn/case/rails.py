@@ -12,8 +12,16 @@ from hh_exudyn.contact.profile import Profile, read_rail_profile
 from track.rails import Rails
 
 
-def read_profile(reader: Callable[[Path], Profile], path: str) -> Profile:
-    """Read a profile; a file that may not be read is bad input too."""
+def profile_in_file(reader: Callable[[Path], Profile], path: str) -> Profile:
+    """Read a profile; an unreadable file raises ValueError as well.
+
+    Parameters
+    ----------
+    reader : callable
+        `read_wheel_profile` or `read_rail_profile`.
+    path : str
+        Of the profile file.
+    """
     try:
         return reader(Path(path))
     except OSError as error:
@@ -23,7 +31,7 @@ def read_profile(reader: Callable[[Path], Profile], path: str) -> Profile:
 def _check_rail(name: str) -> str:
     """A rail is a known name, or a file that can be read."""
     if is_path(name):
-        read_profile(read_rail_profile, name)
+        profile_in_file(read_rail_profile, name)
     else:
         Rails(left=name, right=name).left_profile()
     return name
@@ -33,5 +41,13 @@ RailName = Annotated[str, AfterValidator(_check_rail)]
 
 
 def sided(rails: Rails, both: str | None, left: str | None, right: str | None) -> Rails:
-    """`rails` with what is given for both sides, and for each."""
+    """`rails` with the profiles given for both sides and for each side in their place.
+
+    Parameters
+    ----------
+    rails : Rails
+        The default rails.
+    both, left, right : str or None
+        Names or paths for both sides, the left and the right one; None for the default.
+    """
     return replace(rails, left=left or both or rails.left, right=right or both or rails.right)

@@ -22,23 +22,23 @@ from track.support.sleepers import sleeper_track
 
 LONGEST_WAVELENGTH = 70.0  # m, of random irregularities
 SHORTEST_IRREGULAR = 100.0  # m, of a random track: fading in and out takes 50 m each
-RIGID = "rigid"  # the flexibility of a track without any
-_WAYS = ("sections", "alignment", "centre_line")  # to give an alignment
-SMOOTH = "none"  # the irregularity of a track without any
+RIGID = "rigid"  # value of `flexibility` for rigid track
+_WAYS = ("sections", "alignment", "centre_line")  # keys, of which one gives the alignment
+SMOOTH = "none"  # value of `irregularity` for smooth track
 
 
 class TrackCase(CaseTable):
     """Rails, their foundation, irregularities, and the alignment.
 
     The alignment is given in one of three ways: `sections`, with `grades` as their vertical profile; the file
-    `alignment` (`track.course.alignment_csv`); surveyed points, `centre_line`, a file name alone if the
-    defaults will do. `alignment_mirrored` is for the two files: sections have hands.
+    `alignment` (`track.course.alignment_csv`); surveyed points, `centre_line`, a table or, for its
+    defaults, a file name. `alignment_mirrored` is for the two files: sections have hands.
 
-    `rail` lies on both sides but where `rail_left`, `rail_right` or a section say otherwise. One rail passes
-    into another over `rail_change_m` about the middle of a transition, or about the end of a section.
+    `rail` lies on both sides, except where `rail_left`, `rail_right` or a section name another. One rail
+    changes into another over `rail_change_m` about the middle of a transition, or about the end of a section.
 
-    `irregularity` is ``"none"``, a spectrum (`track.irregularity.spectra.spectrum_names`) of which
-    `irregularity_seed` draws a random track with wavelengths from `irregularity_shortest_m` to 70 m, or a
+    `irregularity` is ``"none"``, a spectrum (`track.irregularity.spectra.spectrum_names`) for a
+    random track by `irregularity_seed` with wavelengths from `irregularity_shortest_m` to 70 m, or a
     measured file (`track.irregularity.irregularity_csv`). It begins ahead of the vehicle, faded in over 50
     m. Without `sleeper_passing` flexible track has constant stiffness along the track.
     """
@@ -70,7 +70,7 @@ class TrackCase(CaseTable):
 
     @model_validator(mode="after")
     def _check_one_alignment(self) -> Self:
-        """One of three; what belongs to sections alone, or to files alone, does not stand with the others."""
+        """Exactly one of three; keys for sections or for files alone are not given with the others."""
         ways = [name for name in _WAYS if getattr(self, name) is not None]
         if len(ways) != 1:
             found = " and ".join(ways) if ways else "none"
@@ -137,7 +137,7 @@ class TrackCase(CaseTable):
         Raises
         ------
         ValueError
-            Sections or grades that do not follow each other, a faulty file, points of no railway.
+            Sections or grades that do not join, a faulty file, points that give no alignment.
         """
         if self.alignment is not None:
             found = read_alignment_csv(self.alignment)
@@ -163,6 +163,11 @@ class TrackCase(CaseTable):
 
     def irregular(self, start: float, end: float) -> Irregularity | None:
         """The irregularities from arc length `start` to `end` [m]; None on smooth track.
+
+        Parameters
+        ----------
+        start, end : float
+            Arc lengths [m].
 
         Raises
         ------
@@ -202,12 +207,12 @@ class TrackCase(CaseTable):
 
     @property
     def rails(self) -> Rails:
-        """Both rails where no section says otherwise, with their inclination."""
+        """Both rails of sections without rails of their own, with their inclination."""
         both = Rails(left=self.rail, right=self.rail, inclination=self.rail_inclination)
         return sided(both, None, self.rail_left, self.rail_right)
 
     def rails_along(self) -> RailsAlong:
-        """Which rails lie where."""
+        """Rails along the track."""
         track = self.rails
         stretches = [(part.length_m, part.rails(track)) for part in self.sections or ()]
         if all(rails is None for _, rails in stretches):  # a file of the alignment, ramps alone
@@ -231,7 +236,7 @@ class TrackCase(CaseTable):
 
 
 def _measured(path: str) -> Irregularity:
-    """Read a file of irregularities; one that may not be read is bad input too."""
+    """Read a file of irregularities; an unreadable one raises ValueError as well."""
     try:
         return read_irregularity(path)
     except OSError as error:

@@ -31,9 +31,9 @@ class TractionCase(CaseTable):
     `units` locomotives share the effort; the first one is simulated, the others are masses of the train with
     an effort of their own. `set_speed_km_h` is the case's speed where it is not given. `braking_limit_kN`
     is that of the electro-dynamic brakes of all units together (Hossein-Nia 2018, 1.1.2). With
-    `over_slip_percent` above 0 each driven wheelset is held at that creepage, as far as its drive can,
-    instead of at its share of the effort. `curve_resistance` of the wagons is "roeckl", "simulated" (what
-    this toolkit's own wagon needs on dry rails, 2.7 times less at R 450 m) or "none":
+    `over_slip_percent` above 0 the drives control the creepage of each driven wheelset to that value, within
+    their limits, instead of the effort. `curve_resistance` of the wagons is "roeckl", "simulated" (that
+    of this toolkit's wagon on dry rails, 2.7 times less at R 450 m) or "none":
     `vehicles.traction.curve_resistance`.
     """
 
@@ -48,11 +48,11 @@ class TractionCase(CaseTable):
 
     @property
     def alone(self) -> bool:
-        """Whether nothing hangs on the coupler of the simulated unit."""
+        """Whether the simulated unit runs without a train."""
         return self.units == 1 and self.trailing_wagons == 0
 
     def orders(self, speed: float) -> DriverOrders:
-        """For the driver of a vehicle that starts at a speed [m/s]."""
+        """Orders to the driver of a vehicle with that initial speed [m/s]."""
         return DriverOrders(
             set_speed=speed if self.set_speed_km_h is None else self.set_speed_km_h / 3.6,
             braking_limit=1e3 * self.braking_limit_kN,
@@ -61,7 +61,15 @@ class TractionCase(CaseTable):
         )
 
     def train(self, mass: float, length: float, grade: _Course, curvature: _Course) -> TrailingTrain:
-        """What is behind the first unit, of given mass [kg] and length [m] over couplers."""
+        """The train behind the first unit, a unit having a mass [kg] and a length [m] over couplers.
+
+        Parameters
+        ----------
+        mass, length : float
+            Of a unit [kg], and over its couplers [m].
+        grade, curvature : callable
+            Sine of the slope [-] and curvature [1/m] at arc lengths [m].
+        """
         return TrailingTrain(
             locomotives=self.units - 1,
             locomotive_mass=mass,
@@ -76,7 +84,7 @@ class TractionCase(CaseTable):
 
 
 class SteeringCase(CaseTable):
-    """Active steering: `gain` 1 turns wheelsets radially, `softening` leaves a share of stiffness.
+    """Active steering: `gain` 1 for radial wheelsets, `softening` the remaining share of stiffness in curves.
 
     Laws and actuators: `vehicles.traction.steering`.
     """

@@ -1,4 +1,4 @@
-"""The tables ``[train]`` and ``[brake]`` of a case file: what its train does to a hauled wagon.
+"""The tables ``[train]`` and ``[brake]`` of a case file: train forces and braking of a hauled wagon.
 
 ::
 
@@ -8,7 +8,7 @@
     [brake]
     shoe_force_kN = 15
 
-The train keeps its speed, and pulls the braked wagon at its couplers.
+The train has constant speed, and pulls the braked wagon at its couplers.
 """
 
 import re
@@ -22,11 +22,11 @@ _WHEEL = re.compile(r"[1-9]\d*[LR]")
 
 
 class TrainCase(CaseTable):
-    """Force that the train passes on through the vehicle, from its front coupler to its rear one.
+    """Force of the train through the vehicle, from its front coupler to its rear one.
 
-    Positive in draft, where the train ahead pulls and the train behind hangs on; below 0 in buff. It points
-    along the track at either coupler, as those of equal wagons do in a full curve. What the vehicle gets
-    longer by loads the springs that keep it in the train, which takes about 1 % off the drawbar's force.
+    Positive in draft, negative in buff. At either coupler it is tangential to the track, as between equal
+    wagons in a full curve. The extension of the vehicle loads the springs that represent the train, which
+    reduces the drawbar's force by about 1 %.
     """
 
     draft_kN: float = number("kN", -2000, 2000)
@@ -40,8 +40,8 @@ class TrainCase(CaseTable):
 class BrakeCase(CaseTable):
     """Tread brake: the force of each shoe on its wheel, from a time on.
 
-    `friction` is that of the vehicle's shoes where it is not given. `wheels` are those that are braked, "1L"
-    leading and left, counted through all units; all where it is not given. With `start_s` and `build_up_s` 0
+    `friction` is by default that of the vehicle's shoes. `wheels` are the braked wheels, "1L" leading and
+    left, counted through all units; by default all. With `start_s` and `build_up_s` 0
     the run begins with the brakes applied, in equilibrium.
     """
 
@@ -67,7 +67,7 @@ class BrakeCase(CaseTable):
         Raises
         ------
         ValueError
-            The vehicle has no shoes, or none on a wheel that is named.
+            The vehicle has no shoes, or none on a named wheel.
         """
         numbers = {wheelset.body: number for number, wheelset in enumerate(vehicle.wheelsets, start=1)}
         names = [f"{numbers[shoe.wheelset]}{'L' if shoe.point[1] > 0.0 else 'R'}" for shoe in vehicle.shoes]

@@ -1,14 +1,14 @@
-"""The vehicle of a case: a name of the catalogue, or a variant, which the case holds whole.
+"""The vehicle of a case: a name of the catalogue, or a variant with all its changed numbers.
 
-In a case file ``vehicle = "worn.toml"`` names a vehicle file (`vehicles.variants`), and a table says the same
-in place::
+In a case file ``vehicle = "worn.toml"`` names a vehicle file (`vehicles.variants`); a table has the same
+content::
 
     [vehicle]
     base = "iore_wagon_loaded"
     wedge = { friction = 0.35 }
 
-Either way the `Case` keeps the numbers, not the file: what is changed in it later does not change the case,
-nor its runs: their ``case.toml`` has the table.
+Either way the `Case` has the numbers, not the file: later changes of the file change neither the case nor its
+runs, as their ``case.toml`` has the table.
 """
 
 from collections.abc import Mapping
@@ -23,7 +23,7 @@ from vehicles.variants import Variant, find_variant, is_vehicle_file, read_varia
 
 
 class ChangedNumber(CaseTable):
-    """A number of a vehicle that is not as in its base."""
+    """A changed number of a vehicle."""
 
     value: float
     unit: str
@@ -31,7 +31,7 @@ class ChangedNumber(CaseTable):
 
 
 class VehicleCase(CaseTable):
-    """A variant: name, base in the catalogue, and beside them a table of numbers for each part."""
+    """A variant: name, base in the catalogue, and a table of changed numbers for each part."""
 
     model_config = ConfigDict(frozen=True, extra="allow", strict=True, allow_inf_nan=False)
     __pydantic_extra__: dict[str, dict[str, ChangedNumber]]
@@ -50,7 +50,7 @@ class VehicleCase(CaseTable):
         return variant_of_table(named, "case").to_table()
 
     def variant(self) -> Variant:
-        """The same as the vehicles' own value."""
+        """The table as a `Variant`."""
         return variant_of_table(self.model_dump(), "case")
 
     @classmethod
@@ -71,12 +71,12 @@ VehicleField = Annotated[
 
 
 def resolved(value: Any) -> Any:
-    """A vehicle file as the table that it stands for; a name after a look into the catalogue.
+    """The table of a vehicle file; a name of the catalogue unchanged.
 
     Raises
     ------
     ValueError
-        The name is not known, or the file not good.
+        An unknown name, or a faulty file.
     """
     if not isinstance(value, str):
         return value
@@ -92,7 +92,7 @@ def described(value: str | VehicleCase) -> Vehicle:
 
 
 def start_in(folder: Path, data: dict[str, Any]) -> None:
-    """Let the paths of vehicle files in a raw case start at its folder."""
+    """Make the paths of vehicle files in a raw case start at its folder."""
     value = data.get("vehicle")
     table, key = (value, "base") if isinstance(value, dict) else (data, "vehicle")
     if isinstance(table.get(key), str) and is_vehicle_file(table[key]):

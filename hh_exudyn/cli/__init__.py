@@ -9,6 +9,7 @@
 `vehicle`     vehicles and their numbers
 `linear`      modes and critical speeds
 `parameters`  every number of the data files
+`names`       names of registries in help texts
 `inputs`      common arguments, refusal of bad input, reading of a run
 `output`      lines, tables, figures, exit codes
 ============  ======================================================================================

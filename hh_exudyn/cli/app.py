@@ -1,16 +1,16 @@
-"""The command ``hh-exudyn``: run a case, demo, playback. It imports every room and computes nothing.
+"""The command ``hh-exudyn``: run a case, demo, playback. It imports all packages and computes nothing.
 
 =========  ==================================================================================
 exit code  meaning
 =========  ==================================================================================
 0          done
-1          a fault of the program: one line, and where the traceback was written
-2          bad input: one line that says what is allowed; nothing was begun or written over
-3          the vehicle derailed or the run diverged; the log so far is kept
-130        Ctrl-C; the log so far is kept
+1          a fault of the program: one line, with the file of the traceback
+2          bad input: one line with what is allowed; nothing was begun or overwritten
+3          the vehicle derailed or the run diverged; the log up to then remains
+130        Ctrl-C; the log up to then remains
 =========  ==================================================================================
 
-Everything heavy is imported inside the commands, so that ``--help`` answers at once.
+Large packages are imported inside the commands, so that ``--help`` is fast.
 """
 
 import sys
@@ -41,6 +41,10 @@ if TYPE_CHECKING:
     from hh_exudyn.log.store import Run
 
 RECORDING = "playback.rrd"
+NewRecording = Annotated[
+    Path | None,
+    typer.Option(metavar="F.rrd", help="Write the recording to this new file and open no viewer."),
+]
 
 app = typer.Typer(
     help="Wheel damage on heavy-haul railways.",
@@ -107,10 +111,7 @@ def demo(out_folder: inputs.NewFolder) -> None:
 @app.command()
 def playback(
     folder: inputs.RunFolder,
-    save: Annotated[
-        Path | None,
-        typer.Option(metavar="F.rrd", help="Write the recording to this new file and open no viewer."),
-    ] = None,
+    save: NewRecording = None,
 ) -> None:
     """Play a run in the rerun viewer, or save its recording."""
     with output.errors_in_one_line(folder):
@@ -138,7 +139,7 @@ def _simulated(case: "Case", folder: Path) -> "Run":
     except (SimulationStopped, NoEquilibrium) as error:
         output.fail(output.STOPPED, f"{error}; {output.log_place(folder)}")
     except (ValueError, OSError) as error:
-        if not folder.exists():  # nothing was begun: the case cannot be built, or the folder not be made
+        if not folder.exists():  # nothing was begun: the case or the folder cannot be made
             raise inputs.BadInput(str(error)) from None
         raise
 

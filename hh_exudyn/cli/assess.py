@@ -1,7 +1,7 @@
 """The command ``assess``: a run after UIC 518 / EN 14363. It computes nothing itself.
 
-Kilonewtons and millimetres exist here and nowhere deeper. Everything heavy is imported inside the command, so
-that ``--help`` answers at once.
+Conversion to kilonewtons and millimetres is here; the packages below use SI. Large packages are imported
+inside the command, so that ``--help`` is fast.
 """
 
 from pathlib import Path
@@ -32,18 +32,21 @@ _SHOWN = {  # quantity: heading, factor, digits
 }
 
 
+NewTable = Annotated[
+    Path | None,
+    typer.Option(metavar="F.csv", help="Write every section and place to this new file, in SI."),
+]
+
+
 def register(app: typer.Typer) -> None:
     """Add the command of this file to the program."""
-    app.command()(assess)
+    app.command("assess")(assess_ride)
 
 
-def assess(
+def assess_ride(
     folder: inputs.RunFolder,
     figure: inputs.NewFigure = None,
-    table: Annotated[
-        Path | None,
-        typer.Option(metavar="F.csv", help="Write every section and place to this new file, in SI."),
-    ] = None,
+    table: NewTable = None,
     unit: Annotated[int, typer.Option(metavar="N", help="Of a vehicle of several units, 1 leading.")] = 1,
     section_length_m: Annotated[
         float | None,

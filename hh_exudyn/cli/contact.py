@@ -1,7 +1,7 @@
 """The commands about one contact: ``patch``, ``validate``, ``conicity``. They compute nothing themselves.
 
-Millimetres, kilonewtons and per mille exist here and nowhere deeper. Everything heavy is imported inside the
-commands, so that ``--help`` answers at once.
+Conversion to millimetres, kilonewtons and per mille is here; the packages below use SI. Large packages are
+imported inside the commands, so that ``--help`` is fast.
 """
 
 import math
@@ -13,20 +13,20 @@ import typer
 from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
+from hh_exudyn.cli.names import NamesInHelp
 
 if TYPE_CHECKING:
     from hh_exudyn.contact.geometry.merit import ConicityReport
     from hh_exudyn.contact.profile import Profile
-    from hh_exudyn.contact.tangential.api import CreepForce, TractionField
-    from hh_exudyn.figures.patch import PatchLoad
+    from hh_exudyn.contact.tangential.api import CreepForce, PatchLoad, TractionField
 
 validate = typer.Typer(help="Compare the toolkit with outside numbers.", no_args_is_help=True)
 
 
 def register(app: typer.Typer) -> None:
     """Add the commands of this file to the program."""
-    app.command()(patch)
-    app.command()(conicity)
+    app.command(cls=NamesInHelp)(patch)
+    app.command(cls=NamesInHelp)(conicity)
     app.add_typer(validate, name="validate")
 
 
@@ -43,14 +43,16 @@ def patch(
     spin: Annotated[float, typer.Option(metavar="1/m", help="Spin creepage.")] = 0.0,
     friction: Annotated[float, typer.Option(metavar="NUMBER", help="Friction coefficient.")] = 0.3,
     theory: Annotated[
-        list[str] | None, typer.Option(metavar="NAME", help="Only this theory; may be repeated.")
+        list[str] | None,
+        typer.Option(metavar="NAME", help="Only this theory; may be repeated. Theories: {theories}."),
     ] = None,
-    cells: Annotated[
-        int, typer.Option(metavar="N", help="Cells along the patch, and strips across it.")
-    ] = 50,
+    cells: Annotated[int, typer.Option(metavar="N", help="Cells along, and strips across the patch.")] = 50,
     figure: inputs.NewFigure = None,
 ) -> None:
-    """Creep forces of one elliptic patch after every theory, side by side: a table and a figure."""
+    """Creep forces of one elliptic patch after every theory, side by side: a table and a figure.
+    \f
+    Ten arguments: each is an option of the command.
+    """
     with output.errors_in_one_line():
         inputs.check_range("--a-mm", a_mm, 0.1, 100.0, "mm")
         inputs.check_range("--b-mm", b_mm, 0.1, 100.0, "mm")
@@ -63,9 +65,9 @@ def patch(
         inputs.require_new_file(figure, "--out", inputs.FIGURES)
         names = _theories(theory or [])
         from hh_exudyn.contact.material import STEEL
-        from hh_exudyn.contact.tangential.api import creep_force, traction_field
+        from hh_exudyn.contact.tangential.api import PatchLoad, creep_force, traction_field
         from hh_exudyn.contact.tangential.registry import FIELD_THEORIES
-        from hh_exudyn.figures.patch import PatchLoad, patch_figure
+        from hh_exudyn.figures.patch import patch_figure
 
         load = PatchLoad(a_mm * 1e-3, b_mm * 1e-3, load_kn * 1e3, nu_x, nu_y, spin, friction)
         forces = {name: creep_force(name, *load.arguments, cells=(cells, cells)) for name in names}
@@ -138,8 +140,8 @@ def validate_contact() -> None:
 
 
 def conicity(
-    wheel: Annotated[str, typer.Argument(metavar="WHEEL", help="Standard wheel profile, or a file.")],
-    rail: Annotated[str, typer.Argument(metavar="RAIL", help="Standard rail, or a file.")],
+    wheel: Annotated[str, typer.Argument(metavar="WHEEL", help="Wheel profile: {wheels}, or a file.")],
+    rail: Annotated[str, typer.Argument(metavar="RAIL", help="Rail profile: {rails}, or a file.")],
     gauge_mm: Annotated[
         list[float] | None, typer.Option(metavar="mm", help="Track gauge; may be repeated. [default: 1435]")
     ] = None,
@@ -147,12 +149,8 @@ def conicity(
         str | None,
         typer.Option(metavar="1:N", help="Of a standard rail: 30, 1:30 or upright. [default: 1:30]"),
     ] = None,
-    radius_mm: Annotated[
-        float, typer.Option(metavar="mm", help="Wheel radius at the running circle.")
-    ] = 460.0,
-    tape_distance_mm: Annotated[
-        float, typer.Option(metavar="mm", help="Distance of the two running circles.")
-    ] = 1500.0,
+    radius_mm: Annotated[float, typer.Option(metavar="mm", help="Wheel radius at the running circle.")] = 460,
+    tape_distance_mm: Annotated[float, typer.Option(metavar="mm", help="Of the two running circles.")] = 1500,
     amplitude_mm: Annotated[
         list[float] | None, typer.Option(metavar="mm", help="May be repeated. [default: 1 to 10]")
     ] = None,
@@ -247,7 +245,7 @@ def _wheel(name: str) -> "Profile":
 
 
 def _rail(name: str, inclination: str | None) -> "Profile":
-    """A standard rail by its name, inclined, or one from a file, which lies as it was measured."""
+    """A standard rail by its name, inclined, or a measured one from a file, with its own inclination."""
     from hh_exudyn.contact.profile import RAIL_PROFILES, rail_profile, read_rail_profile
 
     if name in RAIL_PROFILES:
@@ -262,7 +260,7 @@ def _rail(name: str, inclination: str | None) -> "Profile":
 def _from_file(
     argument: str, name: str, reader: Callable[[str], "Profile"], known: tuple[str, ...]
 ) -> "Profile":
-    """The profile in a file; a file that is not there or no profile is bad input."""
+    """The profile in a file; raises `BadInput` for a missing file or one that is not a profile."""
     if not Path(name).is_file():
         raise inputs.BadInput(
             f"{argument} {name}: no file and no standard profile, known: {', '.join(known)}"

@@ -1,18 +1,17 @@
 """The command ``damage``: wear and fatigue of a run's wheels. It computes nothing itself.
 
-Millimetres and kilometres exist here and nowhere deeper. Everything heavy is imported inside the functions:
-``--help`` answers at once.
+Conversion to millimetres and kilometres is here; the packages below use SI. Large packages are imported
+inside the functions, so that ``--help`` is fast.
 """
 
-from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.table import Table
 
-from damage.wear.laws import names_for_help
 from hh_exudyn.cli import inputs, output
+from hh_exudyn.cli.names import NamesInHelp
 
 if TYPE_CHECKING:
     import pyarrow
@@ -23,20 +22,12 @@ if TYPE_CHECKING:
     from hh_exudyn.log.store import Run
 
 
-class Surface(StrEnum):
-    """State of the wheel-rail surface in Archard's wear chart."""
-
-    dry = "dry"
-    lubricated = "lubricated"
-    greased = "greased"
-
-
 FIGURE_DISTANCE = 50_000.0  # km, of the figures without --distance-km: as in Hossein-Nia (2018)
 
 
 def register(app: typer.Typer) -> None:
     """Add the command of this file to the program."""
-    app.command()(damage)
+    app.command(cls=NamesInHelp)(damage)
 
 
 def damage(
@@ -45,14 +36,15 @@ def damage(
         Path | None,
         typer.Option("--out", metavar="DIR", help="New or empty folder; without, DIR/damage of the run."),
     ] = None,
-    model: Annotated[str, typer.Option(metavar="LAW", help=f"Wear law: {names_for_help()}.")] = "archard",
+    model: Annotated[str, typer.Option(metavar="LAW", help="Wear law: {wear_laws}.")] = "archard",
     surface: Annotated[
-        Surface | None, typer.Option(help="Surface, for Archard's wear coefficients. [default: dry]")
+        str | None,
+        typer.Option(metavar="STATE", help="For Archard's wear coefficients: {surfaces}. [default: dry]"),
     ] = None,
     theory: Annotated[
-        str, typer.Option(metavar="NAME", help="Tangential theory: fastrip, fastsim, full_slip, ...")
+        str, typer.Option(metavar="NAME", help="Tangential theory: {damage_theories}.")
     ] = "fastrip",
-    material: Annotated[str, typer.Option(metavar="STEEL", help="Wheel steel: ER7, ER8, ER9, ...")] = "ER7",
+    material: Annotated[str, typer.Option(metavar="STEEL", help="Wheel steel: {steels}.")] = "ER7",
     distance_km: Annotated[
         float | None, typer.Option(metavar="KM", help="Also give the damage after this distance.")
     ] = None,
@@ -71,7 +63,7 @@ def damage(
         )
 
 
-def _options(model: str, surface: Surface | None, theory: str, material: str) -> dict[str, Any]:
+def _options(model: str, surface: str | None, theory: str, material: str) -> dict[str, Any]:
     """Arguments of `damage.report.assess` for the names on the command line; an unknown one is bad input."""
     from damage.material import wheel_material
     from damage.surface.patch_field import theory_number
@@ -79,7 +71,7 @@ def _options(model: str, surface: Surface | None, theory: str, material: str) ->
 
     with inputs.refused_as_bad_input():
         theory_number(theory)
-        law = wear_law(model, **({} if surface is None else {"surface": surface.value}))
+        law = wear_law(model, **({} if surface is None else {"surface": surface}))
         return {"law": law, "theory": theory, "material": wheel_material(material)}
 
 
@@ -116,7 +108,7 @@ def show_damage(
     run
         The run.
     folder
-        Where tables and figures go.
+        Folder for tables and figures.
     distance_km
         Also give the damage after this distance; None for none.
     skip_bad_rows
@@ -138,7 +130,7 @@ def show_damage(
         pyarrow.csv.write_csv(table, folder / name)
     for name, figure in figures.items():
         figure.savefig(folder / name, dpi=output.DOTS_PER_INCH)
-    output.print_table(_table_of("Damage over the whole run", tables["damage.csv"], DAMAGE_COLUMNS))
+    output.print_table(_table_of("Damage over the whole run", tables["damage.csv"], RUN_COLUMNS))
     if distance_km is not None:
         output.print_table(
             _table_of(f"Damage after {distance_km:,g} km", tables["distance.csv"], DISTANCE_COLUMNS)
@@ -174,7 +166,7 @@ def _figures(run: "Run", report: "DamageReport", distance: float) -> "dict[str, 
 
 
 Columns = dict[str, tuple[str, float, str]]  # column of a table: heading, factor, format
-DAMAGE_COLUMNS: Columns = {
+RUN_COLUMNS: Columns = {
     "p_max_MPa": ("p_max [MPa]", 1.0, ".0f"),
     "wear_number_N": ("wear number [N]", 1.0, ".0f"),
     "fatigue_share": ("FI>0 tread [%]", 100.0, ".1f"),

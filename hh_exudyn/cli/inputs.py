@@ -24,12 +24,12 @@ NewFigure = Annotated[
 
 
 class BadInput(ValueError):
-    """The user's input is not possible; the message is one line that says what is allowed."""
+    """Impossible input of the user; the message is one line with what is allowed."""
 
 
 @contextmanager
 def refused_as_bad_input() -> Iterator[None]:
-    """Errors of the toolkit that are the input's fault (ValueError, OSError) become `BadInput`."""
+    """Convert errors of the toolkit about input (ValueError, OSError) to `BadInput`."""
     try:
         yield
     except (ValueError, OSError) as error:
@@ -37,14 +37,14 @@ def refused_as_bad_input() -> Iterator[None]:
 
 
 def check_range(option: str, value: float | None, low: float, high: float, unit: str = "") -> None:
-    """Refuse a number out of its range, NaN included; None, an option not given, passes."""
+    """Raise `BadInput` for a number out of its range or NaN; None, an option not given, passes."""
     if value is not None and not low <= value <= high:
         behind = f" {unit}" if unit else ""
         raise BadInput(f"{option} {value:g}{behind}: allowed {low:g} to {high:g}{behind}")
 
 
 def require_new_folder(folder: Path) -> None:
-    """Refuse a folder that holds anything."""
+    """Raise `BadInput` for a folder that is not empty."""
     try:
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             kind = "is not empty" if folder.is_dir() else "is a file"
@@ -54,7 +54,7 @@ def require_new_folder(folder: Path) -> None:
 
 
 def require_new_file(path: Path | None, option: str, suffixes: Sequence[str]) -> None:
-    """Refuse a file that cannot be written as a new one.
+    """Raise `BadInput` for a file that cannot be written as a new one.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def require_new_file(path: Path | None, option: str, suffixes: Sequence[str]) ->
     option
         Its name on the command line, for the message.
     suffixes
-        Allowed ones (`FIGURES`, `TABLES`); none for any.
+        Allowed suffixes (`FIGURES`, `TABLES`); empty for any.
 
     Raises
     ------

@@ -1,6 +1,6 @@
 """The commands ``modes`` and ``critical-speed``, linear and nonlinear. They compute nothing themselves.
 
-Everything heavy is imported inside the commands, so that ``--help`` answers at once.
+Large packages are imported inside the commands, so that ``--help`` is fast.
 """
 
 import math
@@ -18,12 +18,12 @@ if TYPE_CHECKING:
     from hh_exudyn.multibody.linear.nonlinear_speed import HuntingRun
 
 SLOWEST, FASTEST = 5.0, 500.0  # km/h
-_HIGHEST, _HIGHEST_NONLINEAR = 300.0, 200.0  # km/h, looked at where nothing else is asked
+_HIGHEST, _HIGHEST_NONLINEAR = 300.0, 200.0  # km/h, default ends of the search
 _LOCUS_SPEEDS = 25  # of the figure
 
 
 def register(app: typer.Typer) -> None:
-    """Give the commands of this file to the program."""
+    """Add the commands of this file to the program."""
     app.command()(modes)
     app.command(name="critical-speed")(critical_speed)
 
@@ -39,7 +39,7 @@ def modes(
     ] = None,
     mode: Annotated[int, typer.Option(metavar="N", help="Which mode, by its number in the table.")] = 1,
 ) -> None:
-    """Oscillating modes of a case's vehicle on straight track: frequency, damping, what moves most."""
+    """Oscillating modes of a case's vehicle on straight track: frequency, damping, largest motion."""
     with output.errors_in_one_line():
         inputs.require_new_file(playback, "--playback", inputs.RECORDINGS)
         inputs.check_range("--speed-km-h", speed_km_h, SLOWEST, FASTEST, "km/h")
@@ -113,12 +113,13 @@ def critical_speed(
         if nonlinear:
             _by_motion(vehicle, from_km_h, to_km_h, step_km_h, resolution_km_h, figure)
             return
-        import hh_exudyn.multibody.linear.modes as linear
         from hh_exudyn.multibody.equilibrium import NoEquilibrium
+        from hh_exudyn.multibody.linear.modes import critical_speed as onset
+        from hh_exudyn.multibody.linear.modes import root_locus
 
         try:
             with output.status("critical speed"):
-                found = linear.critical_speed(vehicle, from_km_h / 3.6, to_km_h / 3.6, step_km_h / 3.6)
+                found = onset(vehicle, from_km_h / 3.6, to_km_h / 3.6, step_km_h / 3.6)
         except NoEquilibrium as error:
             output.fail(output.STOPPED, str(error))
         name = vehicle.vehicle.name
@@ -143,7 +144,7 @@ def critical_speed(
 
             speeds = np.linspace(from_km_h, to_km_h, _LOCUS_SPEEDS) / 3.6
             with output.status("root locus"):
-                locus = linear.root_locus(vehicle, [float(speed) for speed in speeds])
+                locus = root_locus(vehicle, [float(speed) for speed in speeds])
             speed = None if found is None else found.speed
             output.write_figure(root_locus_figure(f"Root locus of {name}", speeds, locus, speed), figure)
 
@@ -151,21 +152,22 @@ def critical_speed(
 def _by_motion(
     vehicle: "LinearVehicle", low: float, high: float, step: float, resolution: float, figure: Path | None
 ) -> None:
-    """Print every run, the nonlinear critical speed and what it rests on; speeds [km/h]."""
-    import hh_exudyn.multibody.linear.nonlinear_speed as search
+    """Print every run, the nonlinear critical speed and the conditions of the search; speeds [km/h]."""
     from hh_exudyn.multibody.equilibrium import NoEquilibrium
+    from hh_exudyn.multibody.linear import nonlinear_speed
 
     name = vehicle.vehicle.name
     output.print_line(
         f"{name}: the train slows down from {high:g} km/h, at first with all wheelsets "
-        f"{search.DISPLACEMENT * 1e3:g} mm to the left; it hunts while a wheelset moves by "
-        f"{search.SETTLED * 1e3:g} mm or more to either side; friction elements slide; smooth straight track"
+        f"{nonlinear_speed.DISPLACEMENT * 1e3:g} mm to the left; it hunts while a wheelset moves by "
+        f"{nonlinear_speed.SETTLED * 1e3:g} mm or more to either side; friction elements slide; "
+        "smooth straight track"
     )
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=output.err, transient=True, disable=not output.err.is_terminal) as bar:
         reports = _RunReports(bar)
         try:
-            found = search.nonlinear_critical_speed(
+            found = nonlinear_speed.nonlinear_critical_speed(
                 vehicle,
                 low / 3.6,
                 high / 3.6,
@@ -199,13 +201,13 @@ def _by_motion(
             [run.speed for run in runs],
             [run.amplitude for run in runs],
             [run.from_cycle for run in runs],
-            search.SETTLED,
+            nonlinear_speed.SETTLED,
         )
         output.write_figure(drawn, figure)
 
 
 class _RunReports:
-    """A line for every run that is done, and a bar for the one that goes on, with the time still needed."""
+    """A line for every finished run, and a bar for the current one, with the remaining time."""
 
     def __init__(self, bar: Progress) -> None:
         self._bar = bar
@@ -214,7 +216,7 @@ class _RunReports:
         self._runs = 0
 
     def report(self, run: "HuntingRun", more: int) -> None:
-        """Print a run and how long those may take that follow at most."""
+        """Print a run and the longest time that at most `more` further runs may take."""
         self._runs += 1
         left = more * (clock.perf_counter() - self._begun) / self._runs
         wheels = "a wheel left its rail"

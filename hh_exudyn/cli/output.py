@@ -22,9 +22,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 FAULT, BAD_INPUT, STOPPED, INTERRUPTED = 1, 2, 3, 130  # exit codes, see `hh_exudyn.cli.app`
-NOTHING = "–"  # in a table, where there is no such number
+NOTHING = "–"  # in a table, for a missing number
 DOTS_PER_INCH = 150  # of figures
-TABLE_WIDTH = 120  # at most, of a table that goes into a file or a pipe
+TABLE_WIDTH = 120  # largest width of a table in a file or a pipe
 
 out = Console(soft_wrap=True, highlight=False)
 err = Console(stderr=True, soft_wrap=True, highlight=False)
@@ -37,7 +37,7 @@ def errors_in_one_line(folder: Path | None = None) -> Iterator[None]:
     Parameters
     ----------
     folder
-        Folder of the run, where the traceback of a fault goes; None for a command without one.
+        Folder of the run, for the traceback of a fault; None for a command without one.
     """
     try:
         yield
@@ -88,12 +88,12 @@ def print_line(text: str) -> None:
 
 
 def status(text: str) -> Status:
-    """A sign on stderr that a computation goes on, for a `with` statement."""
+    """A progress indicator on stderr, for a `with` statement."""
     return err.status(text)
 
 
 def new_table(title: str, headings: tuple[str, ...]) -> Table:
-    """An empty table that fits into 80 columns: a word of the heading a line."""
+    """An empty table for 80 columns, with one word of a heading per line."""
     table = Table(title=title, box=SIMPLE_HEAD, pad_edge=False)
     for heading in headings:
         table.add_column(escape(heading.replace(" ", "\n")), justify="right", no_wrap=True)

@@ -1,6 +1,6 @@
 """The command ``parameters``: every number of the toolkit's data files with unit, source and kind.
 
-Everything heavy is imported inside the command, so that ``--help`` answers at once.
+Large packages are imported inside the command, so that ``--help`` is fast.
 """
 
 from collections.abc import Iterator
@@ -20,7 +20,7 @@ _Numbers = Iterator[tuple[str, "tuple[Parameter, ...]"]]  # name of a file or re
 
 
 def register(app: typer.Typer) -> None:
-    """Give the command of this file to the program."""
+    """Add the command of this file to the program."""
     app.command()(parameters)
 
 

@@ -1,7 +1,7 @@
 """The commands about track: ``track plot`` shows a case's track or a line. They compute nothing themselves.
 
-Millimetres and km/h exist here and nowhere deeper. Everything heavy is imported inside the commands, so that
-``--help`` answers at once.
+Conversion to millimetres and km/h is here; the packages below use SI. Large packages are imported inside the
+commands, so that ``--help`` is fast.
 """
 
 import math
@@ -14,6 +14,7 @@ import typer
 from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
+from hh_exudyn.cli.names import NamesInHelp
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -40,10 +41,10 @@ def _track() -> None:
     """Look at tracks and lines."""
 
 
-@track.command()
+@track.command(cls=NamesInHelp)
 def plot(
     source: Annotated[
-        str, typer.Argument(metavar="CASE|LINE", help="Case file, name of a line, or a line's file.")
+        str, typer.Argument(metavar="CASE|LINE", help="Case file, a line ({lines}), or a line's file.")
     ],
     figure: inputs.NewFigure = None,
     speed_km_h: Annotated[
@@ -72,7 +73,7 @@ def plot(
 
 
 def _is_line(source: str) -> bool:
-    """Whether the argument is a line; what is neither line nor case file is refused."""
+    """Whether the argument is a line; raises `BadInput` if it is neither a line nor a case file."""
     from track.line.line_file import line_names
 
     if source in line_names():
@@ -211,7 +212,7 @@ def _grade_table(alignment: "Alignment") -> Table:
     start = 0.0
     rest = alignment.length - math.fsum(grade.length for grade in alignment.grades)
     grades = alignment.grades
-    if rest > 1e-3:  # the last gradient goes on
+    if rest > 1e-3:  # the last gradient continues
         last = grades[-1].gradient if grades[-1].end is None else grades[-1].end
         grades += (Grade(rest, last),)
     for grade in grades:

@@ -1,6 +1,6 @@
 """The commands about vehicles: ``vehicle list``, ``show``, ``compare``. They compute nothing themselves.
 
-Everything heavy is imported inside the commands, so that ``--help`` answers at once.
+Large packages are imported inside the commands, so that ``--help`` is fast.
 """
 
 import math
@@ -11,6 +11,7 @@ import typer
 from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
+from hh_exudyn.cli.names import NamesInHelp
 
 if TYPE_CHECKING:
     from hh_exudyn.sourced import Difference, Parameter, ParameterSet
@@ -24,7 +25,7 @@ NewDrawing = Annotated[
     typer.Option("--figure", metavar="FILE", help="Draw side and top view into this new file."),
 ]
 Source = Annotated[
-    str, typer.Argument(metavar="NAME|FILE", help="A vehicle of the catalogue, or a vehicle file (.toml).")
+    str, typer.Argument(metavar="NAME|FILE", help="A vehicle file (.toml), or one of {vehicles}.")
 ]
 
 
@@ -56,7 +57,7 @@ def list_vehicles() -> None:
         output.print_table(table)
 
 
-@vehicle.command()
+@vehicle.command(cls=NamesInHelp)
 def show(source: Source, figure: NewDrawing = None) -> None:
     """Numbers of a vehicle with their sources, masses, axle loads, and a drawing to scale."""
     with output.errors_in_one_line():
@@ -82,7 +83,7 @@ def show(source: Source, figure: NewDrawing = None) -> None:
             output.write_figure(vehicle_sheet(title, described), figure, "--figure")
 
 
-@vehicle.command()
+@vehicle.command(cls=NamesInHelp)
 def compare(first: Source, second: Source) -> None:
     """The numbers in which two vehicles differ."""
     with output.errors_in_one_line():
@@ -97,7 +98,7 @@ def compare(first: Source, second: Source) -> None:
 
 
 def _variant(source: str) -> "Variant":
-    """The vehicle of a name or file; anything else is bad input."""
+    """The vehicle of a name or file; raises `BadInput` for anything else."""
     from vehicles.variants import find_variant
 
     with inputs.refused_as_bad_input():
@@ -203,7 +204,7 @@ def _axle_table(described: "Vehicle") -> Table:
     )
     try:
         loads = axle_loads(described)
-    except ValueError:  # a bench vehicle may hang on its train alone
+    except ValueError:  # a reference vehicle may be held by its train alone
         loads = [math.nan] * len(described.wheelsets)
     for number, (wheelset, load) in enumerate(zip(described.wheelsets, loads, strict=True), start=1):
         table.add_row(

@@ -12,17 +12,17 @@ Folders, in the order of the computation; each has a map of its own.
 Their composition.
 
 ==================  =================================================================================
-`types`             NamedTuples that enter kernels
+`types`             inputs and results of the contact kernels (NamedTuples)
 `material`          elastic constants
 `friction`          friction coefficient of one patch by place, zone of the wheel and slip speed
 `state`             state of one patch: the kernels' record, and a row of the contact log by attributes
-`patch_forces`      all forces of one patch
+`patch_forces`      forces of one patch: normal force with its damping, creepages, creep forces
 `wheel_rail`        pose and velocity of wheelsets and rails -> wrenches and patches, in one kernel
 `wheelset`          a wheel or a wheelset at rest on its rails: the height that carries the load
 `patch_shape`       strips and tractions of a logged patch
 ==================  =================================================================================
 
-Fronts, which gather what is called from outside.
+Fronts: import paths for callers from outside.
 
 ==================  =================================================================================
 `profile`           `Profile`, standard shapes, readers: from `profiles`

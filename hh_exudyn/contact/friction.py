@@ -1,6 +1,7 @@
-"""The friction coefficient of a patch: where on the track, on which wheel and where on it, how fast it slips.
+"""The friction coefficient of a patch by place on the track, wheel, zone of the wheel and slip speed
+(kernel).
 
-`track.friction` describes friction in words and numbers and makes the table that the contact reads here.
+`track.friction` describes friction by climate, treatment and coefficients, and makes the `FrictionTable`.
 """
 
 import math
@@ -14,26 +15,26 @@ from hh_exudyn.kernel import inlined_kernel
 
 
 class FrictionTable(NamedTuple):
-    """Friction of a run as the kernel reads it. Angles in rad, lengths in m.
+    """Friction of a run, for the kernel. Angles in rad, lengths in m.
 
-    A surface is one state of wheel and rail along the whole track: wheelsets that bring their own lubricant
-    with them run on another surface than those that do not.
+    A surface is one state of wheel and rail along the whole track: lubricated wheelsets have another surface
+    than the others.
     """
 
     begin: FloatArray  # (n,) where the change to section i begins; the first is not used
     ramp: float  # length of a change
     friction: FloatArray  # (surfaces, n, 2, 3) at rest: surface, section, left and right, zone
     surface: NDArray[np.int64]  # (wheelsets,) the surface of every wheelset
-    corner_from: float  # contact angles between which tread passes into gauge corner
+    corner_from: float  # contact angles at the ends of the passage from tread to gauge corner
     corner_to: float
-    flange_from: float  # and gauge corner into flange
+    flange_from: float  # and from gauge corner to flange
     flange_to: float
     ratio: float  # A: friction at infinite slip speed over that at rest [-]
     decrease: float  # B [s/m]
 
 
 def constant_friction(friction: ArrayLike) -> FrictionTable:
-    """The same friction at every place and slip speed, of every wheel its own.
+    """Friction that depends on the wheel only, not on place or slip speed.
 
     Parameters
     ----------
@@ -65,7 +66,7 @@ def friction_at(
     table : from `track.friction.Friction.table` or `constant_friction`
     wheelset : its number, from 0
     side : side index, 0 left, 1 right
-    s : arc length of the patch along the track [m]; the first and last section go on without end
+    s : arc length of the patch along the track [m]; the first and last section are unbounded
     contact_angle : positive towards the flange [rad]; a patch on the field side belongs to the tread
     slip_speed : magnitude of the slip velocity, creepage times speed, >= 0 [m/s]
 
@@ -78,7 +79,7 @@ def friction_at(
     flange = _smooth_step((contact_angle - table.flange_from) / (table.flange_to - table.flange_from))
     surface = table.surface[wheelset]
 
-    low, high = 0, table.begin.shape[0]  # the section: the last of which the change has begun
+    low, high = 0, table.begin.shape[0]  # the last section with a change that begins before s
     while high - low > 1:
         middle = (low + high) // 2
         if s >= table.begin[middle]:
@@ -97,7 +98,7 @@ def friction_at(
 def _of_zones(
     friction: FloatArray, surface: int, section: int, side: int, corner: float, flange: float
 ) -> float:
-    """Friction where tread, gauge corner and flange have these weights."""
+    """Friction from the three zones; `corner`, `flange`: progress 0..1 into gauge corner and into flange."""
     tread = friction[surface, section, side, 0]
     gauge_corner = friction[surface, section, side, 1]
     return (

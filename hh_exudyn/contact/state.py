@@ -1,8 +1,8 @@
-"""The state of one contact patch: the record that kernels write, and the one that people read.
+"""The state of one contact patch: the record of the kernels, and a row of the contact log by attributes.
 
-`Patch` names the columns of the kernels' record and `write_patch` fills it: a quantity of a patch is a member
-there and a line here. `ContactState` is a row of the contact log by attributes. Their names are those of the
-log's channels (`hh_exudyn.log.channels`, which holds units and meanings); tests/log hold that they agree.
+`Patch` names the columns of the kernels' record and `write_patch` fills it: a new quantity is a member of the
+one and a line of the other. `ContactState` is a row of the contact log by attributes. Their names are those
+of the log's channels (`hh_exudyn.log.channels`, with units and meanings); tests/log checks that they agree.
 """
 
 import math

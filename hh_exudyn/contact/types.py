@@ -1,7 +1,7 @@
 """Inputs and results of the contact kernels, as NamedTuples; the record of a patch is in `state`.
 
-Dataclasses cannot enter numba kernels, and a NamedTuple defined in a script never meets the kernel cache;
-so the types live here.
+They are NamedTuples because dataclasses cannot enter numba kernels, and they are defined here because kernels
+of a NamedTuple defined in a script are not cached.
 """
 
 from typing import Any, NamedTuple

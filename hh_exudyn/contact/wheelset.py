@@ -1,7 +1,7 @@
-"""A wheel, or a wheelset, at rest in the normal direction on its rails: the height that carries the load.
+"""Normal equilibrium of a wheel or a wheelset on its rails: the height (and roll) under given loads.
 
 The pose of the wheelset is given except for its height (and, for `wheelset_equilibrium`, its roll); it rolls
-steadily, and contact and creep forces count. This is what the Manchester contact benchmark asks
+steadily, and contact and creep forces are included. This is the task of the Manchester contact benchmark
 (P. Shackleton, S. Iwnicki, Comparison of wheel-rail contact codes for railway vehicle simulation, Vehicle
 System Dynamics 46 (2008) 129-149), whose case A-2.2 prescribes roll and pitch rate and solves each wheel's
 height alone.
@@ -34,12 +34,12 @@ from hh_exudyn.contact.types import (
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces, wheel_rail_model
 from hh_exudyn.conventions import BACK_TO_BACK, LEFT, NOMINAL_GAUGE, RIGHT
 
-_ABOVE, _BELOW = 0.035, 0.025  # m, how far the wheelset may stand from where a cone would
+_ABOVE, _BELOW = 0.035, 0.025  # m, range of the search above and below the height on cones
 _STEP = 0.2e-3  # m, of the search downwards: the load is met within the first step that has contact
 _HEIGHT_TOLERANCE = 1e-12  # m
 _LARGEST_ROLL = 0.08  # rad, of an equilibrium
 _ROLL_TOLERANCE = 1e-13  # rad
-_RAIL_REMOVED = -1.0  # m, where the other rail lies when one wheel is looked at
+_RAIL_REMOVED = -1.0  # m, height of the other rail while one wheel is solved
 
 
 @dataclass(frozen=True)
@@ -119,7 +119,7 @@ def wheel_on_rail(
     side : int
         `LEFT` or `RIGHT`; only this wheel counts.
     lateral : float
-        Of the wheelset's centre, positive to the left [m], -0.1 .. 0.1.
+        Displacement of the wheelset's centre, positive to the left [m], -0.1 .. 0.1.
     yaw, roll : float
         Right-hand rotations about z and x [rad], -0.1 .. 0.1.
     load : float
@@ -150,8 +150,8 @@ def wheel_on_rail(
     Raises
     ------
     ValueError
-        A number out of its range, an unknown name, or where no height carries the load: the wheel lies
-        beside its rail, or friction on a steep flange takes the load.
+        A number out of its range, an unknown name, or a load that no height carries: the wheel is not
+        above its rail, or friction on a steep flange carries the load.
     """
     if side not in (LEFT, RIGHT):
         raise ValueError(f"side = {side}, allowed {LEFT} (left) or {RIGHT} (right)")
@@ -245,7 +245,7 @@ def wheelset_equilibrium(
 
 
 def _roll_of_zero(difference: Callable[[float], float], half_distance: float) -> float:
-    """The roll at which the heights that the two wheels ask for are equal.
+    """The roll at which the two wheels carry their loads at equal heights.
 
     A wheelset that rolls to the right (positive) lifts its left wheel, so the left height falls.
     """
@@ -268,7 +268,7 @@ def _roll_of_zero(difference: Callable[[float], float], half_distance: float) ->
 
 
 def _wheel_at_rest(model: WheelRailModel, side: int, pose: _Pose, roll: float, load: float) -> WheelOnRail:
-    """Search downwards until the wheel carries more than the load, then find where it carries just that."""
+    """Search downwards until the wheel carries more than the load, then solve for the height of equality."""
 
     def excess(height: float) -> float:
         return _solve(model, side, pose, roll, height)[0] - load
@@ -293,7 +293,7 @@ def _wheel_at_rest(model: WheelRailModel, side: int, pose: _Pose, roll: float, l
 def _solve(
     model: WheelRailModel, side: int, pose: _Pose, roll: float, height: float
 ) -> tuple[float, tuple[ContactState, ...]]:
-    """Vertical force of one wheel on its rail [N], and its patches; the other rail is taken away."""
+    """Vertical force of one wheel on its rail [N], and its patches; the other rail is removed."""
     index = 0 if side == LEFT else 1
     axle = np.array(
         [[-math.sin(pose.yaw) * math.cos(roll), math.cos(pose.yaw) * math.cos(roll), math.sin(roll)]]
@@ -365,6 +365,6 @@ def _checked_pose(
 
 
 def _check(name: str, value: float, low: float, high: float, unit: str) -> None:
-    """ValueError where a number is not in low .. high (or no number)."""
+    """Raise ValueError where a number is not in low .. high, or NaN."""
     if not low <= value <= high:
         raise ValueError(f"{name} = {value} {unit}, allowed {low:g} .. {high:g} {unit}")

@@ -6,7 +6,7 @@
 `conicity_sheet`  these panels on one sheet, for a wheel on a rail at several gauges
 `track`           a track over its length, with irregularities and quality classes; a line as shares
 `vehicle`         a vehicle to scale, side and top view, from the description that a run uses
-`hysteresis`      friction loops: force over deflection, with what a cycle takes
+`hysteresis`      friction loops: force over deflection, with the energy of a cycle
 `hunting`         amplitude of hunting over the speed, down from a limit cycle
 `root_locus`      eigenvalues of a vehicle over its speed, and their damping ratios
 `traction`        a locomotive: drives over time, efforts over speed, bogies in curves by variant of steering

@@ -31,7 +31,7 @@ _LABELS = {  # of the quantities that have a limit
 _SHADES = {STRAIGHT: "white", TRANSITION: "gold"}
 _CURVE_SHADE = "tab:gray"
 _LIMIT = "tab:red"
-_ROOM = 3.0  # a limit that many times beyond the curves is written, not drawn
+_ROOM = 3.0  # a limit larger than that many times the values is written, not drawn
 
 
 def assessment_sheet(title: str, assessment: Assessment) -> Figure:
@@ -44,7 +44,7 @@ def assessment_sheet(title: str, assessment: Assessment) -> Figure:
     title : str
         Above all panels.
     assessment : Assessment
-        Panels are left out for quantities that the vehicle has not, such as accelerations over bogies.
+        The assessment; quantities that the vehicle lacks, such as accelerations over bogies, have no panel.
     """
     shown = [name for name in _COURSES if name in assessment.histories]
     with rc_context(SMALL):

@@ -1,6 +1,6 @@
 """Figures of contact geometry, like Fig. 1-12 to 1-14 of the thesis (Hossein-Nia, KTH 2018).
 
-Each function draws into axes that the caller made, in millimetres.
+Each function draws into given axes, in millimetres.
 """
 
 from collections.abc import Mapping
@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.geometry.functions import ContactFunctions, WheelsetFunctions
+from hh_exudyn.contact.functions import ContactFunctions, WheelsetFunctions
 from hh_exudyn.contact.geometry.merit import ConicityReport
 from hh_exudyn.contact.profile import Profile
 

@@ -1,4 +1,4 @@
-"""Amplitude of hunting over the speed, as a search for the nonlinear critical speed has found it."""
+"""Amplitude of hunting over the speed, from a search for the nonlinear critical speed."""
 
 from collections.abc import Sequence
 
@@ -15,13 +15,14 @@ def hunting_figure(
     from_cycle: Sequence[bool],
     settled: float,
 ) -> Figure:
-    """Full marks: motions that went on from a cycle of a higher speed; open ones: begun by a disturbance.
+    """Amplitudes of motions begun by the limit cycle of a higher speed (full marks) or by a disturbance
+    (open).
 
     Parameters
     ----------
     title : above the figure
     speeds, amplitudes, from_cycle : of every run [m/s], [m]: `multibody.linear.nonlinear_speed.HuntingRun`
-    settled : amplitude below which hunting has died out [m]
+    settled : amplitude below which hunting has decayed [m]
     """
     figure = Figure(figsize=_SIZE, layout="constrained")
     axes = figure.subplots()

@@ -19,7 +19,7 @@ class Panel(NamedTuple):
     title: str
     rotation: bool
     displacement: FloatArray  # (n,)
-    force: FloatArray  # (n,) that drives the motion
+    force: FloatArray  # (n,) of the drive of the motion
     dissipated: float  # in the whole cycle [J]
 
 

@@ -9,7 +9,6 @@ The patch is seen from above, in the contact frame: rolling direction to the rig
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -19,47 +18,15 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.patches import Ellipse
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.tangential.api import CreepForce, TractionField
+from hh_exudyn.contact.tangential.api import CreepForce, PatchLoad, TractionField
 
 _TRACTION_COLOURS, _SLIP_COLOURS = "viridis", "YlOrRd"
 _X_COLOUR, _Y_COLOUR, _MOMENT_COLOUR = "#2b5c8a", "#c2571a", "#7a7a7a"
 _ARROWS = 9  # arrows along and across the patch
 _LONGEST_ARROW, _LONGEST_MAP, _STRIP_HEIGHT = 0.3, 2.2, 1.7  # inch
-_SHOWN_SLIP = 98.0  # percentile of the slip velocity that the colours end at: it peaks at the trailing edge
+_SHOWN_SLIP = 98.0  # percentile of the slip velocity at the end of the colours: it peaks at the trailing edge
 _LONGEST_BAR = 1.25  # friction * normal force; the linear theory has no limit
 _MARGIN = 1.12
-
-
-@dataclass(frozen=True)
-class PatchLoad:
-    """Size, load, creepages and friction of a patch.
-
-    Attributes
-    ----------
-    a, b : float
-        Semi-axes in rolling direction and lateral [m], > 0.
-    normal_force : float
-        [N], > 0.
-    nu_x, nu_y : float
-        Longitudinal and lateral creepage [-].
-    phi : float
-        Spin creepage [1/m].
-    friction : float
-        Friction coefficient [-], > 0.
-    """
-
-    a: float
-    b: float
-    normal_force: float
-    nu_x: float
-    nu_y: float
-    phi: float
-    friction: float
-
-    @property
-    def arguments(self) -> tuple[float, float, float, float, float, float, float]:
-        """Arguments of `creep_force` and `traction_field` after the theory."""
-        return self.a, self.b, self.normal_force, self.nu_x, self.nu_y, self.phi, self.friction
 
 
 def patch_figure(
@@ -184,7 +151,7 @@ def _draw_border(axes: Axes, field: TractionField, slip: FloatArray, colour: str
 
 
 def _draw_arrows(axes: Axes, field: TractionField, longest: float) -> None:
-    """Traction on the wheel as arrows, as long as it is large."""
+    """Traction on the wheel as arrows, with lengths proportional to it."""
     strips, cells = field.q_x.shape
     across = np.linspace(0, strips - 1, min(strips, _ARROWS) + 2).round().astype(int)[1:-1]
     along = np.linspace(0, cells - 1, min(cells, _ARROWS) + 2).round().astype(int)[1:-1]
@@ -246,7 +213,7 @@ def _draw_forces(figure: SubFigure, load: PatchLoad, forces: Mapping[str, CreepF
 
 
 def _write_value(axes: Axes, place: float, value: float) -> None:
-    """A number behind the end of its bar; in the end of a bar that was cut."""
+    """A number beyond the end of its bar; inside the end of a shortened bar."""
     value = round(value, 3) + 0.0  # no minus sign before a zero
     cut = abs(value) > _LONGEST_BAR
     to_the_right = (value >= 0.0) != cut

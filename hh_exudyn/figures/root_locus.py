@@ -9,7 +9,7 @@ from hh_exudyn.arrays import ComplexArray, FloatArray
 
 _SIZE = (9.0, 4.6)  # inches
 _DAMPINGS = (0.05, 0.1, 0.2, 0.4)  # damping ratios that are drawn as lines
-_STRONG = 0.5  # damping ratio of what is left out on the right
+_STRONG = 0.5  # damping ratio above which modes are not drawn on the right
 
 
 def root_locus_figure(
@@ -21,6 +21,8 @@ def root_locus_figure(
 ) -> Figure:
     """Frequency over growth with the speed as colour, and damping ratios over speed.
 
+    A motion with growth above zero and a damping ratio below zero is unstable.
+
     Parameters
     ----------
     title : str
@@ -28,7 +30,7 @@ def root_locus_figure(
     speeds : (n,) array
         [m/s].
     locus : (n, modes) array
-        Eigenvalues of `hh_exudyn.multibody.linear.modes.root_locus` [1/s]; NaN where a mode is not there.
+        Eigenvalues of `hh_exudyn.multibody.linear.modes.root_locus` [1/s]; NaN where a mode does not exist.
     critical : float or None
         Critical speed [m/s]; None, the default, for none.
     highest : float

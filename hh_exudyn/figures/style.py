@@ -1,4 +1,4 @@
-"""Sizes and colours that the figures of this folder have in common."""
+"""Common sizes and colours of the figures of this folder."""
 
 SMALL = {"font.size": 8, "legend.fontsize": 7, "axes.titlesize": 8}  # for matplotlib's rc_context
 WHEELSET_COLOURS = ("tab:blue", "tab:orange", "tab:green", "tab:purple", "tab:brown", "tab:cyan")

@@ -33,7 +33,7 @@ def track_sheet(
 ) -> Figure:
     """Panels over the arc length: curvature, cant, gauge, gradient, irregularities, standard deviations.
 
-    Track that is level all along has no panel of the gradient.
+    Level track has no panel of the gradient.
 
     Parameters
     ----------
@@ -169,7 +169,7 @@ def draw_shares(
     sections : sequence of TrackSection
         Of a line.
     group : callable
-        The group that a section belongs to.
+        The group of a section.
     groups : sequence
         All groups in the order of the bars.
     """

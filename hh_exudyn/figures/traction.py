@@ -80,7 +80,7 @@ def effort_figure(
 ) -> Figure:
     """Largest traction and braking effort of all units over speed, and the effort for a train on gradients.
 
-    The train holds the speed at which its effort meets the limit.
+    The intersection of limit and demand is the steady speed of the train.
 
     Parameters
     ----------

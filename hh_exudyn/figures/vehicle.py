@@ -1,7 +1,7 @@
 """A vehicle to scale, side and top view, from the description of a run.
 
-Wheels have their true radius; couplings are marks at their points, rods lines between theirs; bodies are the
-boxes of `vehicles.outline`.
+Wheels have their true radius; couplings are marks at their points, rods lines between their ends; bodies are
+the boxes of `vehicles.outline`.
 """
 
 import math
@@ -33,6 +33,8 @@ _SIDE, _TOP = (0, 2), (0, 1)  # axes of the two views
 
 def vehicle_sheet(title: str, vehicle: Vehicle) -> Figure:
     """Side view above, top view below, both to the same scale.
+
+    Bodies are drawn as the boxes of their outline, wheelsets and couplings as they stand on the drawing.
 
     Parameters
     ----------

@@ -33,7 +33,7 @@ def force_histograms(
     label : str
         Of the force, without unit: "Q".
     forces : mapping of (n, wheelsets, 2) arrays
-        Of the left and right wheels [N], by a name for the legend, such as the load of the wagon.
+        Forces of the left and right wheels [N], by a name for the legend, such as the load of the wagon.
     measured : (n, wheelsets, 2) array or None
         Measured forces of the same wheels [N]; None, the default, for none.
 
@@ -104,10 +104,8 @@ def force_spectra(
 
     Parameters
     ----------
-    title : str
-        Above all panels.
-    label : str
-        Of the force, without unit: "Q".
+    title, label : str
+        As for `force_histograms`.
     spectra : mapping of (m,) and (m, wheelsets, 2) arrays
         Frequency [Hz] and density [N^2/Hz], by the name of the run.
     marks : mapping of float or None

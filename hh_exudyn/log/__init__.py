@@ -2,10 +2,11 @@
 
 ==============  ======================================================================================
 `channels`      the one table of all columns: name, source, unit, meaning
-`recorder`      rows in numpy, written to disk in parts
+`recorder`      writes the logs: rows buffered in numpy, to disk in parts
 `store`         a run on disk, and reading it back
 `wheel_forces`  Q and Y of every wheel over time
 ==============  ======================================================================================
 
-A part is renamed into place when it is whole, so that a killed run leaves all its finished parts readable.
+`hh_exudyn.multibody.recording` computes the rows, one output interval apart (`hh_exudyn.case.contact`). A
+part is renamed into place when it is complete, so that a killed run leaves all its finished parts readable.
 """

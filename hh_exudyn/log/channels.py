@@ -1,4 +1,4 @@
-"""Columns of the logs of a run: name, source, unit, meaning. The one table that writers and readers share.
+"""Columns of the logs of a run: name, source, unit, meaning; the common table of writers and readers.
 
 Contact log: one row per output time, wheel and patch in contact. Motion log: one row per output time and
 body. Energy ledger: one row per output time. Control log: one row per sample of the controllers and driven
@@ -109,10 +109,10 @@ CONTROL = (
     Column("wheelset", WHEELSET, "-", "wheelset of the vehicle, from 1 at the leading end", kind="int32"),
     Column("speed", WHEELSET, "m/s", "forward speed of the wheelset"),
     Column("wheel_speed", WHEELSET, "m/s", "its rotation times the nominal radius"),
-    Column("torque", CONTROLLER, "N m", "of the drive on the wheelset since the last sample, losses off"),
+    Column("torque", CONTROLLER, "N m", "of the drive on the wheelset since the last sample, less losses"),
     Column("adhesion", WHEELSET, "-", "longitudinal force of the rails on it over its vertical load"),
     Column("utilisation", WHEELSET, "-", "its creep forces over friction times normal forces"),
-    Column("demand", CONTROLLER, "N", "effort asked of the vehicle, forward positive (repeated)"),
+    Column("demand", CONTROLLER, "N", "effort demanded of the vehicle, forward positive (repeated)"),
     Column("coupler_force", CONTROLLER, "N", "force of the train on it, forward positive (repeated)"),
     Column("train_speed", CONTROLLER, "m/s", "of the train behind the vehicle (repeated)"),
     Column("yaw_rest", CONTROLLER, "rad", "rest angle of the wheelset in its bogie, by active steering"),
@@ -128,14 +128,14 @@ def positions(name: str, columns: tuple[Column, ...]) -> Any:
     Parameters
     ----------
     name : str
-        Of the enumeration: the name that this module gives it.
+        Name of the enumeration, as in this module.
     columns : tuple of Column
         In the order of the log.
     """
     return IntEnum(name, {column.name: k for k, column in enumerate(columns)}, module=__name__)
 
 
-# Any: the members follow from the table, where type checkers cannot see them
+# Any: type checkers cannot derive the members from the table
 ContactColumn: Any = positions("ContactColumn", CONTACT)
 MotionColumn: Any = positions("MotionColumn", MOTION)
 EnergyColumn: Any = positions("EnergyColumn", ENERGY)

@@ -21,7 +21,15 @@ TEMPORARY_SUFFIX = ".tmp"
 
 
 def part_path(directory: Path, log: str, number: int) -> Path:
-    """Path of one finished part of a log."""
+    """Path of one finished part of a log.
+
+    Parameters
+    ----------
+    directory, log
+        Directory of the run, and ``contact``, ``motion``, ``energy`` or ``control``.
+    number
+        Of the part, from 0.
+    """
     return directory / log / f"part-{number:05d}.parquet"
 
 
@@ -57,7 +65,7 @@ def claim_directory(directory: Path) -> None:
 
 
 def write_part(path: Path, table: pyarrow.Table) -> None:
-    """Write a table to a temporary file and rename it when it is whole and on disk."""
+    """Write a table to a temporary file and rename it when it is complete and on disk."""
     temporary = path.with_name(path.name + TEMPORARY_SUFFIX)
     try:
         with open(temporary, "wb") as stream:
@@ -71,7 +79,7 @@ def write_part(path: Path, table: pyarrow.Table) -> None:
 
 
 class _Buffer:
-    """Rows of one log that wait for their part; every column is held as float64."""
+    """Buffered rows of one log, before they are written as a part; every column is float64."""
 
     def __init__(self, columns: tuple[Column, ...], rows: int) -> None:
         self.columns = columns
@@ -83,8 +91,8 @@ class _Buffer:
 class Recorder:
     """Records the logs of one run into a new directory; a context manager.
 
-    Make the recorder before anything else is written to the directory: it claims it. On leaving the
-    ``with`` block, also by an exception or Ctrl-C, the rows at hand are written.
+    Make the recorder before anything else is written to the directory: it claims it. At the end of the
+    ``with`` block, also by an exception or Ctrl-C, the buffered rows are written.
 
     Parameters
     ----------
@@ -95,7 +103,7 @@ class Recorder:
     rows_per_part
         Rows of one part [-], at least 1.
     names
-        For each string column (`body` of the motion log) the names that its integer codes stand for.
+        For each string column (`body` of the motion log) the names of its integer codes.
 
     Raises
     ------
@@ -121,7 +129,7 @@ class Recorder:
         self._buffers: dict[str, _Buffer] = {}
 
     def append_rows(self, log: str, rows: NDArray[np.float64]) -> None:
-        """Append rows whose columns are those of the log's channels, in their order: the fast path.
+        """Append rows with the columns of the log in their order: the fast path.
 
         Parameters
         ----------
@@ -184,13 +192,13 @@ class Recorder:
         self.append_rows(log, np.column_stack(values))
 
     def flush(self) -> None:
-        """Write the rows at hand of every log as a part (a short one, if need be)."""
+        """Write the buffered rows of every log as a part, however few they are."""
         for log, buffer in self._buffers.items():
             if buffer.count:
                 self._write(log, buffer)
 
     def close(self) -> None:
-        """Write the rows at hand and take no more."""
+        """Write the buffered rows; further rows raise ValueError."""
         if not self._closed:
             self.flush()
             self._closed = True
@@ -241,7 +249,7 @@ class Recorder:
         if column.kind == "float64":
             return pyarrow.array(np.ascontiguousarray(values))
         if not np.array_equal(values, np.rint(values)):  # NaN is unequal to itself
-            raise ValueError(f"log {log}: column {column.name} holds values that are no whole numbers")
+            raise ValueError(f"log {log}: column {column.name} holds values that are not whole numbers")
         codes = values.astype(np.int32)
         if column.kind == "int32":
             return pyarrow.array(codes)

@@ -1,12 +1,12 @@
 """A run on disk, and reading it back.
 
     directory/case.toml                  the case that was run
-    directory/vehicle.json               the vehicle that ran, whole (`vehicles.stored`)
-    directory/status.json                how the run ended
+    directory/vehicle.json               the complete vehicle of the run (`vehicles.stored`)
+    directory/status.json                end of the run: finished or not, and the reason
     directory/<log>/part-00000.parquet   rows of one of the logs of `channels`, in order of time
 
-A part appears under its name only when it is whole, so a run that was killed leaves all its finished parts
-readable; temporary files are ignored. `Recorder` writes the logs; it is passed on from here.
+A part is renamed into place when it is complete, so a killed run leaves all its finished parts readable;
+temporary files are ignored. The writer of the logs is `hh_exudyn.log.recorder.Recorder`.
 """
 
 import json
@@ -32,7 +32,9 @@ STATUS_FILE = "status.json"
 
 @dataclass(frozen=True)
 class Run:
-    """A run on disk. Nothing is read before it is asked for.
+    """A run on disk.
+
+    Its files are read on demand.
 
     Attributes
     ----------
@@ -49,7 +51,7 @@ class Run:
         Raises
         ------
         FileNotFoundError
-            Neither is there.
+            Neither exists.
         """
         path = self.directory / CASE_FILE
         if path.is_file():
@@ -69,7 +71,7 @@ class Run:
 
     @property
     def status(self) -> dict[str, Any]:
-        """How the run ended, as `write_status` wrote it; ``finished`` is False where it never did."""
+        """End of the run as written by `write_status`; ``finished`` is False for a run cut off."""
         path = self.directory / STATUS_FILE
         if not path.is_file():
             return {"finished": False, "reason": f"no {STATUS_FILE}: the run was cut off, or is still going"}
@@ -156,7 +158,7 @@ def open_run(directory: Path | str) -> Run:
 
 
 def remove_logs(run: Run) -> None:
-    """Remove a run's logs, status, case and vehicle, and nothing else that lies in its directory."""
+    """Remove a run's logs, status, case and vehicle; other files of its directory remain."""
     for log in LOGS:
         shutil.rmtree(run.directory / log, ignore_errors=True)
     for name in (STATUS_FILE, CASE_FILE, VEHICLE_FILE):
@@ -165,6 +167,13 @@ def remove_logs(run: Run) -> None:
 
 def write_case(directory: Path | str, text: str) -> None:
     """Write the case of a run (TOML). Call it after the `Recorder` has claimed the directory.
+
+    Parameters
+    ----------
+    directory
+        Of the run.
+    text
+        The case, TOML.
 
     Raises
     ------
@@ -183,12 +192,20 @@ def write_vehicle(directory: Path | str, text: str) -> None:
 
 
 def write_status(directory: Path | str, status: dict[str, Any]) -> None:
-    """Write how a run stands or ended: ``finished`` (bool), ``reason`` it stopped for, wall times [s]."""
+    """Write the state of a run: ``finished`` (bool), ``reason`` of its end, wall times [s].
+
+    Parameters
+    ----------
+    directory
+        Of the run.
+    status
+        ``finished``, ``reason``, wall times [s].
+    """
     _write_text(Path(directory) / STATUS_FILE, json.dumps(status, indent=2) + "\n")
 
 
 def _write_text(path: Path, text: str) -> None:
-    """Write a file whole or not at all."""
+    """Write a complete file or none."""
     temporary = path.with_name(path.name + TEMPORARY_SUFFIX)
     temporary.write_text(text, encoding="utf-8")
     os.replace(temporary, path)

@@ -1,7 +1,7 @@
 """Q and Y of every wheel of a run over time, from its contact log; filtered, and as spectra.
 
-What a measuring wheelset or a station beside the track gives is filtered: Hossein-Nia (2018, section 1.2.1)
-filters measured and calculated forces at 20 Hz. The filter is that of `hh_exudyn.signals`: no shift in time,
+Forces of measuring wheelsets and track-side stations are filtered: Hossein-Nia (2018, section 1.2.1) filters
+measured and calculated forces at 20 Hz. The filter is that of `hh_exudyn.signals`: no shift in time,
 -3 dB at the cut-off.
 """
 
@@ -45,6 +45,11 @@ class WheelForces:
         """The times at which all wheelsets lie between two arc lengths [m].
 
         Raises ValueError where they do so less than twice.
+
+        Parameters
+        ----------
+        first, last
+            Arc lengths [m].
         """
         inside = ((self.s >= first) & (self.s <= last)).all(axis=1)
         if inside.sum() < 2:
@@ -55,7 +60,7 @@ class WheelForces:
         return replace(self, time=self.time[inside], s=self.s[inside], Q=self.Q[inside], Y=self.Y[inside])
 
     def filtered(self, cutoff: float) -> "WheelForces":
-        """The forces below a cut-off frequency [Hz], at which 1 / sqrt(2) of the amplitude is left.
+        """The forces below a cut-off frequency [Hz], where the amplitude is reduced to 1 / sqrt(2).
 
         Raises ValueError unless the frequency is above 0 and below half the sampling rate.
         """
@@ -99,7 +104,7 @@ class WheelForces:
 
 
 def wheel_forces(run: Run, vehicle: int = 1) -> WheelForces:
-    """Q and Y of all wheels of a vehicle of a run, whole.
+    """Q and Y of all wheels of a vehicle over a whole run.
 
     Parameters
     ----------

@@ -4,20 +4,20 @@
 `model`         layout of the coordinates; the constant model, its inputs, and the kernel's work space
 `assembly`      descriptions -> model -> Exudyn system
 `vectors`       three-vectors and rotations inside kernels
-`couplings`     folder: suspension elements between two bodies
+`couplings`     folder: forces of the suspension elements between two bodies
 `brakes`        shoes on the treads: thrust, friction, reaction on the side frames
 `system`        `evaluate`: all forces of a vehicle on its track
 `equilibrium`   rest on straight track, before the run
 `rolling`       state of a vehicle that rolls in one place: the unknowns of the equilibrium
 `settling`      its damped motion, where no root search finds the equilibrium
-`remaining`     the force that is left on a vehicle out of equilibrium, and its place
+`remaining`     largest residual force of a vehicle out of equilibrium, and its place
 `linear`        folder: modes, stability and hunting about the equilibrium
 `control`       controllers in the loop: driver and steering of a vehicle with drives
-`watch`         reasons to stop a run
+`watch`         derailment, divergence, a step too large: reasons to stop a run
 `interruption`  Ctrl-C while Exudyn integrates
 `recording`     rows of the logs
 `simulate`      `simulate(case, directory)`
-`once`          `simulate_once`, for studies in several sessions: finished runs are reused
+`once`          `simulate_once`: finished runs of a study are reused
 `hysteresis`    force over deflection of a bogie's friction elements in slow cycles
 ==============  ====================================================================================
 """

@@ -33,7 +33,7 @@ from vehicles.couplings import Coupling, Rod, Vector
 from vehicles.description import Vehicle
 from vehicles.start import start_front, start_middle
 
-SHORTEST_TRANSITION = 5e-3  # m, a wheel about to lift off has a patch too short for any time step
+SHORTEST_TRANSITION = 5e-3  # m; patches of a wheel about to lift off are too short for any time step
 LARGEST_LAG_RATE = 1.5  # of the creepage's transition per time step; RK33 is stable up to 2.51
 
 
@@ -42,7 +42,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
 
     Parameters
     ----------
-    vehicle : description; the case's own vehicle is not read
+    vehicle : description, in place of the case's own vehicle
     case : track, contact, friction, speed, brakes and time step
 
     Raises
@@ -55,7 +55,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
     _require_straight_start(vehicle, alignment, case.track.alignment_key)
     numbers = {body.name: i for i, body in enumerate(vehicle.bodies)}
     flexible = case.track.flexible
-    # rigid track has a parameter set too, unused, so that the kernel's types stay the same
+    # rigid track has an unused parameter set too, so that the kernel has the same types
     flexibility = track_flexibility(case.track.flexibility if flexible else "concrete")
     if not case.track.sleeper_passing:
         flexibility = flexibility.evenly_supported()
@@ -199,7 +199,7 @@ def exudyn_system(
     model : masses and inertias are read
     q, v : (coordinates,) initial coordinates and velocities (layout: `model`)
     forces : user function of the force object, (mbs, t, item, q, q_t) -> generalized forces
-    after_step : (mbs, t) -> whether to go on, called after every accepted step
+    after_step : (mbs, t) -> whether to continue, called after every accepted step
     """
     mbs = exu.SystemContainer().AddSystem()
     nodes = []

@@ -1,4 +1,4 @@
-"""Tread brakes: shoes pressed against turning wheels, with their reactions on the bodies that carry them."""
+"""Tread brakes: shoes pressed against turning wheels, with their reactions on the carriers."""
 
 from hh_exudyn.kernel import inlined_kernel
 from hh_exudyn.multibody.model import Brakes, Ledger, Workspace

@@ -1,7 +1,7 @@
 """Controllers in the loop: their measurements, the inputs that they set, and the log of both.
 
-Called at accepted states, once a sample; between samples the actuators stand still, and the train moves on at
-its speed. The kernels know of them only the numbers in `Inputs`.
+Called at accepted states, once per sample; between samples the actuators are constant, and the train moves at
+constant speed. The kernels read `Inputs` only.
 """
 
 import math
@@ -24,7 +24,7 @@ from vehicles.traction.control import Actuators, Controller, Measurement
 from vehicles.traction.driver import DrivenUnit, Driver
 from vehicles.traction.steering import Steering
 
-Course = Callable[[FloatArray], FloatArray]
+AlongTrack = Callable[[FloatArray], FloatArray]
 
 SAMPLE = 10e-3  # s between two calls of the controllers
 
@@ -135,7 +135,7 @@ class VehicleControl:
 def vehicle_control(
     case: Case, vehicle: Vehicle, model: SystemModel, work: Workspace
 ) -> VehicleControl | None:
-    """The controllers of a vehicle with drives, None of any other.
+    """The controllers of a vehicle with drives; None for any other.
 
     Sets the force of the train at the start (`Inputs.train_start`), which the equilibrium does not change.
 
@@ -172,7 +172,7 @@ def vehicle_control(
     return VehicleControl(case, vehicle, model, work, driver, controllers)
 
 
-def _along(table: AlignmentTable) -> tuple[Course, Course]:
+def _along(table: AlignmentTable) -> tuple[AlongTrack, AlongTrack]:
     """Sine of the slope and curvature over arc length; beyond the ends as at the ends."""
     s, slope, curvature = table.s, table.gradient / np.hypot(1.0, table.gradient), table.curvature
 
@@ -186,7 +186,7 @@ def _along(table: AlignmentTable) -> tuple[Course, Course]:
 
 
 def _axle_boxes(vehicle: Vehicle) -> list[tuple[int, int, float]]:
-    """Coupling, wheelset and lateral place [m] of every axle box that ties a wheelset to its bogie frame."""
+    """Coupling, wheelset and lateral position [m] of every axle box between wheelset and bogie frame."""
     numbers = {wheelset.body: w for w, wheelset in enumerate(vehicle.wheelsets)}
     kinds = {body.name: body.kind for body in vehicle.bodies}
     return [

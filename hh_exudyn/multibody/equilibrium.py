@@ -1,7 +1,8 @@
 """Static equilibrium of a vehicle that rolls straight ahead at constant speed, before the run.
 
 On a gradient the coupler force of the train balances the vehicle's weight times the sine of the slope; a
-driven vehicle holds itself and its train by its drives. Unknowns and fixed quantities: `rolling`.
+driven vehicle balances its own weight and its train's force by its drives. Unknowns and fixed quantities:
+`rolling`.
 
 A root search finds it in some hundredths of a second, unless it alternates between two places of contact on
 a wheel's profile. Then the vehicle settles in time (`settling`), and the root search starts again from there,
@@ -23,12 +24,12 @@ from hh_exudyn.multibody.settling import Settling
 from vehicles.description import Vehicle
 
 FORCE_TOLERANCE = 5.0  # N or N m, of any body, on weights of 1e4..1e6 N
-# s of the processor, compilation apart, after which there is no equilibrium; of it, of the first root search
+# s of processor time without compilation: limit of all searches; share of it for the first root search
 TIME_LIMIT = 6.0 * PLAIN_PYTHON_FACTOR
 _SEARCH_LIMIT = 2.0 * PLAIN_PYTHON_FACTOR
 _FIRST_SEARCH, _LAST_SEARCH = 50, 25  # steps of the root search; where it succeeds it takes 13 to 23
 _SETTLING = (1.2, 2.0, 3.0)  # s of motion, after each of which the root search tries again
-_NEAR = 0.01  # of the weight, a residual from which settled states are worth a root search
+_NEAR = 0.01  # of the weight: residual below which a root search begins from a settled state
 _FORCE_SCALE = 1e3  # residuals are in thousandths of the weight
 
 
@@ -41,15 +42,15 @@ class Equilibrium(NamedTuple):
 
 
 class _OutOfTime(Exception):
-    """Ends a root search from within."""
+    """Raised inside a root search at the end of its time."""
 
 
 def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equilibrium:
     """Solve for poses, rolling speeds and the force of the train on straight track of one gradient.
 
-    The force of the train is left in `Inputs.train_start`, the torques of a driven vehicle in
-    `Inputs.drive_torque` of the work space. Wedges carry no vertical friction, as after a long smooth ride;
-    all other sliders are in their places on the drawing.
+    The force of the train is written as `Inputs.train_start`, the torques of a driven vehicle as
+    `Inputs.drive_torque` of the work space. Wedges have no vertical friction, as after a long smooth ride;
+    all other sliders are in their positions on the drawing.
 
     Parameters
     ----------
@@ -78,7 +79,7 @@ def equilibrium(vehicle: Vehicle, model: SystemModel, work: Workspace) -> Equili
             return _found(rolling)
         rolling.restore(settled)
         tried.append((_largest(rolling), settled))
-        if left <= FORCE_TOLERANCE:  # the motion has come to rest where no root search can
+        if left <= FORCE_TOLERANCE:  # at rest in a state that the root search cannot reach
             return _found(rolling)
         if not whole:
             break
@@ -101,7 +102,7 @@ def _found(rolling: RollingVehicle) -> Equilibrium:
 
 
 def _balance(rolling: RollingVehicle, steps: int, deadline: float) -> bool:
-    """Whether a root search from the present state on finds the equilibrium, and leaves it there."""
+    """Whether a root search from the present state finds the equilibrium; the state is then set to it."""
     rates, place, weight = rolling.rates, rolling.place, rolling.weight
     begun = rolling.snapshot()
     torque_scale = weight / max(rolling.inputs.drive_torque.size, 1)
@@ -119,7 +120,7 @@ def _balance(rolling: RollingVehicle, steps: int, deadline: float) -> bool:
         rolling.v[rates] = unknown[rates]
         if rolling.driven:
             rolling.inputs.drive_torque[:] = unknown[place] * torque_scale
-            rolling.forces()  # where the head is, to pull as before
+            rolling.forces()  # for the position of the coupler head
             rolling.pull_as_before()
         else:
             rolling.inputs.train_start[:] = begun.train + unknown[place]

@@ -21,7 +21,7 @@ from vehicles.description import Vehicle
 
 X, Y, Z, ROLL, PITCH, YAW = range(6)
 C = TypeVar("C")
-_SPEED = 1e-4  # m/s or rad/s, of the largest motion: dampers and sticking contacts feel nothing of it
+_SPEED = 1e-4  # m/s or rad/s, of the largest motion: forces of dampers are negligible
 _POINTS = 1001  # from one end of the path to the other
 
 
@@ -31,7 +31,7 @@ class Loop(NamedTuple):
     title: str
     axis: int  # of the motion: X .. YAW
     displacement: FloatArray  # (n,) of body B against A along the axis, DOWN for Z, from the drawing [m, rad]
-    force: FloatArray  # (n,) on B from outside that holds it there, in the same direction [N] or [N m]
+    force: FloatArray  # (n,) external force on B in equilibrium, in the same direction [N] or [N m]
     dissipated: float  # by the kernel's ledger [J]
 
     @property
@@ -84,7 +84,7 @@ def bogie_loops(vehicle: Vehicle, case: Case) -> tuple[Loop, ...]:
 def drive(
     vehicle: Vehicle, case: Case, title: str, group: tuple[Coupling, ...], axis: int, path: FloatArray
 ) -> Loop:
-    """Drive couplings between the same two bodies twice around a closed path; the second time is the loop.
+    """Loop of couplings between the same two bodies: the second of two rounds of a closed path.
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ def drive(
 
 
 def _cycle(axis: int, middle: float, amplitude: float, fixed: dict[int, float]) -> FloatArray:
-    """(n, 6) path from the lower end to the upper and back along the axis; the other places are fixed."""
+    """(n, 6) path from the lower end to the upper and back along the axis, others fixed."""
     there = np.linspace(middle - amplitude, middle + amplitude, _POINTS)
     path = np.zeros((2 * _POINTS - 1, 6))
     for other, value in fixed.items():

@@ -1,4 +1,4 @@
-"""Ctrl-C while Exudyn integrates: it would make a fault of its own of an exception in a user function."""
+"""Ctrl-C while Exudyn integrates, which reports an exception of a user function as a failure of its own."""
 
 import signal
 import threading
@@ -6,7 +6,7 @@ from types import FrameType, TracebackType
 
 
 class Interruption:
-    """Notes Ctrl-C instead of raising it; whoever integrates looks at `wanted` after every step.
+    """Records Ctrl-C instead of raising it; the integration checks `wanted` after every step.
 
     ::
 
@@ -15,7 +15,7 @@ class Interruption:
         if interruption.wanted:
             raise KeyboardInterrupt
 
-    Outside of the main thread, which alone gets signals, it does nothing.
+    Outside of the main thread, the only one that receives signals, it has no effect.
     """
 
     def __init__(self) -> None:

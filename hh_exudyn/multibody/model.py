@@ -4,18 +4,18 @@ Coordinates: six per body (position of the centre of mass in the global frame, r
 track seven per wheelset (`track.support.flexibility`); four per wheelset, two for each wheel: their
 VELOCITIES are the longitudinal and lateral slip velocity of wheel on rail as they enter the creepage, in the
 axes of that rail's frame R (`contact.types.RailMotion`). Velocities: global velocity and LOCAL angular
-velocity, as Exudyn's `NodeRigidBodyRotVecLG` has them; generalized forces are the conjugate global force and
+velocity, as of Exudyn's `NodeRigidBodyRotVecLG`; generalized forces are the conjugate global force and
 local torque.
 
-Why the creepage follows with a delay: a steady-state creep force answers a sudden velocity at once, as a
-damper C/V of 1 MN s/m and, at low speed, much more, on a rail of 150 kg or on a wheelset's spin. A real
+Reason for the delay of the creepage: a steady-state creep force responds to a sudden velocity without delay,
+as a damper C/V of 1 MN s/m and, at low speed, much more, on a rail of 150 kg or on a wheelset's spin. A real
 contact must roll about one semi-axis a before its traction is built up (from Cattaneo's shift to Carter's
 rolling; Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990, chapter 5, quoted from memory);
 until then it is a spring of stiffness C/a, about that of Mindlin. So the velocity u in the creepage follows
-the slip velocity v of the wheel on its rail with u' = (v - u) V/a. It is the slip that lags, rolling
-included: a wheel that rolls straight on where its rail bends has a new direction against the rail, but no
-slip, and must not get any creepage from it. Steady rolling is untouched; without the lag the explicit
-integration would need steps that shrink with the speed, and its instability beyond them looks like creep.
+the slip velocity v of the wheel on its rail with u' = (v - u) V/a. The delay applies to the slip velocity,
+rolling included: a wheel that rolls straight on where its rail bends has a new direction relative to the
+rail, but no slip, and so no creepage. Steady rolling is not affected; without the delay the explicit
+integration would need steps proportional to the speed, and its instability beyond them resembles creep.
 """
 
 from enum import IntEnum
@@ -77,24 +77,24 @@ class Train(NamedTuple):
 
 
 class Drives(NamedTuple):
-    """Motors that turn wheelsets, with their reactions; none where the train pulls the vehicle."""
+    """Motors on wheelsets, with their reactions; empty for a hauled vehicle."""
 
     bodies: IntArray  # (drives, 2) body numbers of wheelset and motor
 
 
 class Brakes(NamedTuple):
-    """Brake shoes on wheel treads, pressed by bodies that carry them; none where no brake is ordered."""
+    """Brake shoes on wheel treads, pressed by their carriers; empty without a brake application."""
 
     bodies: IntArray  # (shoes, 2) body numbers of wheelset and carrier
     point: FloatArray  # (shoes, 3) of the shoe in the axes of its carrier [m]
     thrust: FloatArray  # (shoes,) of the brake fully applied [N]
     friction: FloatArray  # (shoes,)
-    start: float  # when the brake is applied [s]
-    build_up: float  # time in which its thrust rises to the full one [s]
+    start: float  # time of the brake application [s]
+    build_up: float  # duration of the rise to full thrust [s]
 
 
 class SystemModel(NamedTuple):
-    """Everything constant about a vehicle on a track: nothing writes to it after `assembly.assemble`."""
+    """Constants of a vehicle on a track: nothing writes to them after `assembly.assemble`."""
 
     mass: FloatArray  # (bodies,) [kg]
     weight: FloatArray  # (bodies,) [N]
@@ -191,7 +191,7 @@ def coordinates(model: SystemModel) -> int:
 
 
 def drawn_inputs(model: SystemModel) -> Inputs:
-    """Inputs without controller: the train where the drawing has it at its speed, no torques.
+    """Inputs without controller: the train at its position on the drawing and at its speed, no torques.
 
     Parameters
     ----------

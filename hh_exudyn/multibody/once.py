@@ -10,9 +10,9 @@ from hh_exudyn.multibody.simulate import Progress, simulate
 def simulate_once(case: Case, directory: Path | str, progress: Progress | None = None) -> Run:
     """The run of a case in a directory: the finished one there, or else a new simulation.
 
-    So a study over many cases, one directory each, may be stopped at any time and started again. The logs of
-    an unfinished run are removed; two processes must therefore not work on the same directory. A case does
-    not record the version of the toolkit: after an update start with an empty folder.
+    So a study of many cases, one directory each, can be stopped at any time and restarted. The logs of an
+    unfinished run are removed; two processes must therefore not work on the same directory. A case does not
+    record the version of the toolkit: after an update begin with an empty folder.
 
     Parameters
     ----------

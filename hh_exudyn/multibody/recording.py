@@ -34,7 +34,7 @@ from vehicles.description import Vehicle
 
 
 def _copies(columns: tuple[Column, ...], source: str, members: type[IntEnum]) -> IntArray:
-    """Where the columns of a source lie in their log and in their source, (n, 2)."""
+    """(n, 2) positions of the columns of a source in their log and in their source."""
     pairs = [(k, members[c.name.upper()]) for k, c in enumerate(columns) if c.source == source]
     return np.array(pairs, dtype=np.int64)
 
@@ -44,7 +44,7 @@ _OF_LEDGER = _copies(ENERGY, LEDGER, Ledger)
 
 
 class LogWriter:
-    """Turns the state of a vehicle into log rows."""
+    """Writer of log rows from the state of a vehicle."""
 
     def __init__(self, vehicle: Vehicle, model: SystemModel, work: Workspace, recorder: Recorder) -> None:
         self._bundle = Bundle(model, work)

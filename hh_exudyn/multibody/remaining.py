@@ -19,7 +19,7 @@ from hh_exudyn.multibody.system import evaluate_bundle
 from track.support.substructure import DOFS
 
 _DIRECTIONS = ("along the track", "to the left", "upwards", "in roll", "in pitch", "in yaw")
-_SHARES = 3  # the largest forces on the body that are named
+_SHARES = 3  # number of the named forces on the body, the largest
 _LEAST_SHARE = 1e-3  # of the largest force; smaller ones are not named
 _BOUND = 0.99  # of friction times normal force, from which a wheel slides
 _WEIGHT = "its weight"
@@ -104,7 +104,7 @@ def _shares(rolling: RollingVehicle, body: int, direction: int) -> dict[str, flo
 
 
 def _with_couplings(rolling: RollingVehicle, which: slice) -> FloatArray:
-    """Generalized forces with a part of the couplings alone."""
+    """Generalized forces with the couplings `which` alone."""
     model = rolling.model
     couplings, inputs = model.couplings, rolling.work.inputs
     some = model._replace(couplings=Couplings._make(part[which] for part in couplings))

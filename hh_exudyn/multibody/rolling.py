@@ -1,9 +1,9 @@
-"""The state of a vehicle that rolls straight ahead at constant speed in one place of its track.
+"""The state of a vehicle that rolls straight ahead at constant speed at one position of its track.
 
-The wheels roll, so the unknowns of a wheelset's pitch and of the creepage are rates, not places. The vehicle
-stands at a given place, so the unknown of the front coupler head's body is the place of the train
-(`Inputs.train_start`); that of a driven vehicle is the torque of its drives, the same for all
-(`Inputs.drive_torque`), while the train stays at its distance from the coupler head, and so its force.
+The wheels roll, so the unknowns of a wheelset's pitch and of the creepage are velocities, not coordinates.
+The position of the vehicle is given, so the unknown of the front coupler head's body is the position of the
+train (`Inputs.train_start`); that of a driven vehicle is the torque of its drives, the same for all
+(`Inputs.drive_torque`), while the distance of the train from the coupler head, and so its force, is constant.
 """
 
 import math
@@ -47,7 +47,7 @@ class Snapshot(NamedTuple):
 
 
 class RollingVehicle:
-    """The state of a rolling vehicle, at first as on its drawing.
+    """The state of a rolling vehicle, initially that of its drawing.
 
     Parameters
     ----------
@@ -57,9 +57,9 @@ class RollingVehicle:
     Attributes
     ----------
     q, v : coordinates and velocities (layout: `model`)
-    still : (coordinates,) velocities after settling; zero in the place of those that are unknowns
-    rates : numbers of the coordinates with an unknown velocity; their places are zero
-    place : number of the coordinate along the track of the vehicle's place, which is constant
+    still : (coordinates,) velocities after settling; zero for those that are unknowns
+    rates : numbers of the coordinates with an unknown velocity; these coordinates are zero
+    place : number of the coordinate of the vehicle's position along the track, which is constant
     along : (3,) direction of the track there
 
     Raises
@@ -128,9 +128,9 @@ class RollingVehicle:
         self.inputs.train_start[:], self.inputs.drive_torque[:] = state.train, state.torque
 
     def _draw(self, middle: float) -> None:
-        """The drawing, deflected, lowered until the wheels carry the weight; all at the train's speed.
+        """Set the drawing, deflected, lowered until the wheels carry the weight; all at the train's speed.
 
-        On a gradient it is turned with the track; wheelsets stay at rotation angle zero about their axles.
+        On a gradient it is pitched with the track; rotation angles of wheelsets about their axles are zero.
         """
         vehicle, model = self.vehicle, self.model
         self.q, self.v = np.zeros(coordinates(model)), np.zeros(coordinates(model))
@@ -180,7 +180,7 @@ class RollingVehicle:
     def _hang_on(self, unit: int) -> None:
         """Move a unit as a whole along the track to the balance of its drawbar and its coupler.
 
-        Left to the root search, its first steps would make the friction between the unit's bodies slide.
+        Otherwise the first steps of the root search would make friction elements of the unit slide.
         """
         bodies = self.vehicle.bodies
         mine = [i for i, body in enumerate(bodies) if self.vehicle.unit_of(body.name) == unit]
@@ -193,5 +193,5 @@ class RollingVehicle:
 
         here = pull(0.0)
         stiffness = (here - pull(LENGTH_SCALE)) / LENGTH_SCALE
-        # a unit without drawbar and coupler stays in place
+        # a unit without drawbar and coupler is not moved
         self.q[own] = drawn + (here / stiffness if stiffness > 0.0 else 0.0)

@@ -1,10 +1,10 @@
-"""Settling in time: a vehicle rolls in its place of the track until its motion is damped out.
+"""Settling in time: a vehicle rolls at a fixed position of the track until its motion is damped out.
 
 A root search can alternate between the branches of a force that rises and falls steeply (contact that moves
-from the tread to the flange root); motion follows the force and ends in a stable state.
-The bodies move by their masses under all forces of the kernel and under one more, -RATE M (v - v0), against
-every velocity but the common one; the wheels go on rolling. The force of the train (or of the drives) that
-maintains the speed follows the sum of the forces along the track.
+from the tread to the flange root); motion in time ends in a stable state. The bodies move by their masses
+under all forces of the kernel and an additional one, -DAMPING_RATE M (v - v0), against every velocity but the
+common one; the wheels roll. The force of the train (or of the drives) that maintains the speed follows the
+sum of the forces along the track.
 """
 
 import math
@@ -17,11 +17,11 @@ from hh_exudyn.multibody.linear.inertia import masses
 from hh_exudyn.multibody.model import BODY_COORDINATES, first_track
 from hh_exudyn.multibody.rolling import RollingVehicle
 
-RATE = 12.0  # 1/s, of the added damping: with it bounce at 2 Hz is critically damped to a half
-_FOLLOWING = 0.1  # s, in which train and drives follow the forces along the track
-# s; at a jump of the force no step meets the tolerance: the shortest one, which is stable, is used there
+DAMPING_RATE = 12.0  # 1/s, of the added damping: half of critical for bounce at 2 Hz
+_FOLLOWING = 0.1  # s, time constant of train and drives for the forces along the track
+# s, of a step; the shortest is stable, and is used at a jump of the force, where none meets the tolerance
 _SHORTEST_STEP, _FIRST_STEP, _LONGEST_STEP = 5e-5, 2e-4, 5e-3
-FARTHEST = 0.5  # m or rad from the drawing: a body that far away does not come to rest
+FARTHEST = 0.5  # m or rad from the drawing: beyond it a body is not going to come to rest
 _RELATIVE, _PLACE, _RATE = 1e-4, 1e-8, 1e-6  # tolerances of a step: relative, m and rad, m/s and rad/s
 
 
@@ -42,9 +42,9 @@ class Settling:
         model = rolling.model
         size = rolling.q.size
         self._mass = masses(model)
-        self._moves = np.ones(size)  # places; those of rates stay at zero
+        self._moves = np.ones(size)  # 0 for the coordinates of `rates`, which are constant
         self._moves[rolling.rates] = 0.0
-        self._damping = RATE * self._moves
+        self._damping = DAMPING_RATE * self._moves
         self._damping[first_track(model) :] = 0.0
         self._drawn = rolling.q.copy()
         self._torque_rate = 0.0

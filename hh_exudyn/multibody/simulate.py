@@ -31,14 +31,14 @@ Progress = Callable[[float, str], None]
 
 
 class SimulationStopped(RuntimeError):
-    """A run stopped before its end; the log up to there is complete.
+    """A run stopped before its end; the log up to then is complete.
 
     Attributes
     ----------
     reason : "derailment" or "divergence"
     wheel : "1L", "2R", ... or "" for the whole vehicle
     time : [s] since the start
-    position : arc length of the leading wheelset in the last sound state [m]
+    position : arc length of the leading wheelset in the last state without a fault [m]
     """
 
     def __init__(self, reason: str, detail: str, wheel: str, time: float, position: float) -> None:
@@ -64,7 +64,7 @@ def simulate(
     case : vehicle, track, speed, contact and integration
     directory : for case.toml, vehicle.json, the logs and status.json; made if it does not exist
     progress : called every `PROGRESS_INTERVAL` with the fraction done (0..1) and a line of text
-    vehicle : a description in place of the vehicle that the case names
+    vehicle : a description in place of the vehicle of the case
 
     Raises
     ------
@@ -75,9 +75,9 @@ def simulate(
     NoEquilibrium
         No static equilibrium at the start; nothing was written.
     SimulationStopped
-        Derailment or divergence; the log up to there is complete.
+        Derailment or divergence; the log up to then is complete.
     KeyboardInterrupt
-        Ctrl-C; the log up to there is complete.
+        Ctrl-C; the log up to then is complete.
     """
     vehicle = vehicle or case.described_vehicle()
     model = assemble(vehicle, case)
@@ -151,7 +151,7 @@ class _Integration:
         self._next_progress = 0.0
         self._duration = 0.0
         self._end = math.inf  # of the track, for the leading wheelset of a vehicle that drives itself
-        self._position = 0.0  # of the leading wheelset in the last sound state
+        self._position = 0.0  # of the leading wheelset in the last state without a fault
         self._kernel_time = 0.0
         self._callback_time = 0.0
         self.times: dict[str, float] = {}
@@ -184,7 +184,7 @@ class _Integration:
             if self._accepted and not self._interruption.wanted:
                 self._forces(mbs, self._steps * self._step, 0, None, None)  # the last state, to log it too
         except Exception as error:
-            # Exudyn reports an exception of a user function as its own failure: the original one says more
+            # Exudyn reports an exception of a user function as its own failure: the original is raised below
             self._error = self._error or error
         finally:
             wall = clock.perf_counter() - start
@@ -202,7 +202,7 @@ class _Integration:
             raise self._error
 
     def _forces(self, mbs: Any, time: float, item: int, q: Any, q_t: Any) -> list[float]:
-        """Exudyn's force function: one kernel call; it never raises, since Exudyn would hide the reason."""
+        """Exudyn's force function: one kernel call; it never raises, as Exudyn would hide the exception."""
         start = clock.perf_counter()
         # the same numbers as q and q_t, four times faster than these lists
         q = mbs.systemData.GetODE2Coordinates()
@@ -214,7 +214,7 @@ class _Integration:
         if self._accepted:
             self._accepted = False
             try:
-                if self._commit(time, v, status):  # the actuators have moved: what acts from here on
+                if self._commit(time, v, status):  # the actuators have moved: forces with the new inputs
                     evaluate_bundle(self._bundle, self._sliders, q, v, time, False)
             except Exception as error:
                 self._error = error

@@ -86,7 +86,9 @@ def evaluate(
 def evaluate_bundle(
     bundle: Bundle, sliders: FloatArray, q: FloatArray, v: FloatArray, time: float, settle: bool
 ) -> int:
-    """`evaluate` for a bundle of model and work space: called from Python ten thousand times a second.
+    """`evaluate` for a bundle of model and work space.
+
+    It is fast to call from Python: a bundle enters a kernel as one pointer (`kernel.Bundle`).
 
     Parameters
     ----------
@@ -114,9 +116,10 @@ def _body_states(model: SystemModel, work: Workspace, q: FloatArray, v: FloatArr
 
 @inlined_kernel
 def _train_forces(model: SystemModel, work: Workspace, time: float) -> None:
-    """Forces of the train on the coupler heads along the track; its neighbours follow the track exactly.
+    """Forces of the train on the coupler heads along the track; the adjacent vehicles follow the track
+    exactly.
 
-    Places and the speed of the train are in plan, as chainage is; the force points along the gradient.
+    Positions and speed of the train are in plan, as chainage is; the force is along the gradient.
     """
     train, inputs = model.train, work.inputs
     course = inputs.train_course
@@ -215,8 +218,8 @@ def _rail_states(
 ) -> None:
     """Position, direction and velocity of the rails under a wheelset.
 
-    With `settle` sleepers do not pass: the train's force at the start is its mean over them, not the one that
-    balances the slopes between those under the vehicle at its start.
+    With `settle` the track has constant stiffness: the force of the train at the start is then a mean over
+    the sleepers, without the slopes of the rails at the start position.
     """
     s = work.arc_length[w]
     irregular = irregularity_at(model.irregularity, s)
@@ -229,7 +232,7 @@ def _rail_states(
             shift = rail_shift(model.track, s, side, q[k:end])
             if settle:
                 shift = RailShift(shift.lateral, shift.vertical, 0.0, 0.0)
-            # the part of the rail's motion under the wheel that comes from passing sleepers moves no material
+            # the deflection by passing sleepers is travelled over: it is no velocity of the rail's material
             speed = work.frame_velocity[w, 0]
             work.rail_velocity[w, side, 0] = v[k + 2 * side] - speed * shift.heading
             work.rail_velocity[w, side, 1] = v[k + 2 * side + 1] - speed * shift.slope
@@ -252,7 +255,7 @@ def _rail_states(
 def _creep_lags(model: SystemModel, work: Workspace, v: FloatArray, w: int) -> None:
     """Lag of the slip in the creepages behind that of the wheels at their running circles.
 
-    The slip from a patch's distance to the running circle is small and not delayed.
+    The slip due to a patch's distance from the running circle is small and not delayed.
     """
     k = first_creep(model) + CREEP_COORDINATES * w
     radius = model.wheel_rail.nominal_radius

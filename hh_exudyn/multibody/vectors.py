@@ -48,13 +48,7 @@ def rotate(rotation: FloatArray, a: Triple) -> Triple:
 
 @kernel
 def rotate_back(rotation: FloatArray, a: Triple) -> Triple:
-    """Transpose of a rotation matrix (3, 3) times vector.
-
-    Parameters
-    ----------
-    rotation : (3, 3)
-    a : vector
-    """
+    """Transpose of a rotation matrix times vector, both as for `rotate`."""
     return (
         rotation[0, 0] * a[0] + rotation[1, 0] * a[1] + rotation[2, 0] * a[2],
         rotation[0, 1] * a[0] + rotation[1, 1] * a[1] + rotation[2, 1] * a[2],

@@ -15,8 +15,8 @@ from hh_exudyn.multibody.model import SystemModel, Workspace
 LIFT_OFF_TIME = 0.1  # s without contact of a wheel that counts as a derailment
 FLANGE_TIP_MARGIN = 3e-3  # m above the flange tip: a contact so deep means that the flange climbs the rail
 FLANGE_FROM = 0.02  # m towards the track centre on the wheel profile; the flange lies beyond
-LARGEST_LATERAL = 0.08  # m of a wheelset from the track centre: wheel and rail have parted
-LARGEST_SPEED = 10.0  # m/s of a wheelset across the track or up: faster than any derailment, so divergence
+LARGEST_LATERAL = 0.08  # m of a wheelset from the track centre: the wheel is off the rail
+LARGEST_SPEED = 10.0  # m/s of a wheelset, lateral or vertical: more than in any derailment, so divergence
 SMALLEST_ALTERNATION = 1e-3  # of the vertical force; smaller alternations of the lateral force are ignored
 ALTERNATIONS = 40  # sign changes in a row of the lateral force's increment: the integration is unstable
 
@@ -65,7 +65,7 @@ def watch_state(model: SystemModel) -> WatchState:
 
     Parameters
     ----------
-    model : its wheelsets are counted, its wheel profiles read
+    model : number of wheelsets and wheel profiles are read
     """
     shape = (len(model.wheelsets), 2)
     wheels = (model.wheel_rail.wheel_left, model.wheel_rail.wheel_right)
@@ -93,7 +93,7 @@ def look(work: Workspace, state: WatchState, step: float) -> tuple[Trouble, int,
     Parameters
     ----------
     work : evaluated in that state
-    state : histories, brought up to date
+    state : histories, updated
     step : since the last accepted state [s]
 
     Returns

@@ -1,8 +1,8 @@
-"""Poses relative to frames that single precision can hold.
+"""Poses relative to frames that are exact in single precision.
 
 Rerun keeps positions in single precision, which is 1 mm wide at 10 km. So every position is sent relative
-to a near frame, and the pose of that frame is ROUNDED to single precision first: the relative pose holds the
-rounding, and both together give the position of the log to better than 1 um.
+to a near frame, and the pose of that frame is ROUNDED to single precision first: the relative pose includes
+the rounding error, and both together give the position of the log to better than 1 um.
 """
 
 from typing import NamedTuple
@@ -32,6 +32,13 @@ class Poses(NamedTuple):
 def track_frames(alignment: Alignment, s: FloatArray) -> TrackFrames:
     """The track frames at arc lengths s (n,) [m].
 
+    Parameters
+    ----------
+    alignment
+        The alignment.
+    s
+        (n,) arc lengths [m].
+
     Raises
     ------
     ValueError
@@ -53,15 +60,22 @@ def track_frames(alignment: Alignment, s: FloatArray) -> TrackFrames:
 
 
 def single(position: FloatArray) -> FloatArray:
-    """Positions rounded to what single precision holds exactly."""
+    """Positions rounded to single precision, as float64."""
     return position.astype(np.float32).astype(np.float64)
 
 
 def moving_frame(alignment: Alignment, s: FloatArray) -> Poses:
     """The frame that follows a vehicle at arc lengths s (n,) [m]: on the centre line, x ahead, z upright.
 
-    It turns with the track's heading alone, so that cant and gradient show in the picture. Its poses are
-    exact in single precision. Errors as `track_frames`.
+    It turns with the track's heading alone, so that cant and gradient are visible in the picture. Its poses
+    are exact in single precision. Errors as `track_frames`.
+
+    Parameters
+    ----------
+    alignment
+        The alignment.
+    s
+        (n,) arc lengths of the vehicle [m].
     """
     frames = track_frames(alignment, s)
     turn = upright(frames.rotation)
@@ -69,13 +83,21 @@ def moving_frame(alignment: Alignment, s: FloatArray) -> Poses:
 
 
 def upright(turn: Rotation) -> Rotation:
-    """The part about the vertical of rotations: their x axis seen in plan."""
+    """Rotations about the vertical with the same direction of the x axis in plan."""
     ahead = turn.apply((1.0, 0.0, 0.0))
     heading = np.arctan2(ahead[:, 1], ahead[:, 0])
     return Rotation.from_rotvec(np.outer(heading, (0.0, 0.0, 1.0)))
 
 
 def relative(poses: Poses, frame: Poses) -> Poses:
-    """Global poses as seen from frames, row by row."""
+    """Global poses relative to frames, row by row.
+
+    Parameters
+    ----------
+    poses
+        N global poses.
+    frame
+        N global poses of the frames.
+    """
     turn = frame.rotation.inv()
     return Poses(turn.apply(poses.position - frame.position), turn * poses.rotation)

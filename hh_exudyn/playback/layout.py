@@ -8,18 +8,18 @@ from vehicles.description import Vehicle
 from vehicles.outline import vehicle_box
 
 SKY = (196, 209, 222)
-USUAL_LENGTH = 10.29  # of the vehicle for which EYE holds; the eye is farther from longer ones [m]
-SHORTEST = 2.2  # length of a vehicle below which the eye comes no nearer [m]
-EYE = (6.95, 6.9, 1.95)  # from what it looks at [m]
+USUAL_LENGTH = 10.29  # length of the vehicle for EYE; the eye is farther from longer ones [m]
+SHORTEST = 2.2  # length of a vehicle below which the eye is no nearer [m]
+EYE = (6.95, 6.9, 1.95)  # from the point in the middle of the view [m]
 LOOK_AT_HEIGHT = 1.55
-CONTACT_EYE = (1.476, 1.2, 0.75)  # from the middle of the leading axle's shadow [m]
+CONTACT_EYE = (1.476, 1.2, 0.75)  # from the middle of the track below the leading axle [m]
 CONTACT_LOOK_AT = (-0.074, 0.5, 0.25)
 FRICTION_SCALE = 24.0  # the 2D view has one scale for both axes: utilised friction is drawn larger
 LARGEST_FRICTION, LARGEST_PRESSURE = 0.6, 12.0
 
 
 def vehicle_view(vehicle: Vehicle, leader: str) -> rrb.Spatial3DView:
-    """The whole vehicle from ahead and the left, in the frame that moves with a body, the leader."""
+    """The whole vehicle from ahead and the left, in the frame that moves with the body `leader`."""
     low, high = vehicle_box(vehicle)
     length = max(high[0] - low[0], SHORTEST)
     scale = (length / USUAL_LENGTH) ** 0.75  # the far end of a long one is small anyhow
@@ -45,11 +45,11 @@ def blueprint(vehicle: Vehicle, leader: str, *, timeline: str = "sim_time") -> r
     Parameters
     ----------
     vehicle
-        What runs; its wheelsets stay in the view of the contacts, see-through.
+        The vehicle; its wheelsets are transparent in the view of the contacts.
     leader
         The body that the moving frame follows.
     timeline
-        Shown at first: ``sim_time`` or ``track_mm``.
+        Initial timeline: ``sim_time`` or ``track_mm``.
     """
     wheelsets = [wheelset.body for wheelset in vehicle.wheelsets]
     hidden = [f"- /world/vehicle/{body.name}/**" for body in vehicle.bodies if body.name not in wheelsets]

@@ -1,8 +1,8 @@
-"""One mode of a vehicle as a rerun recording: its bodies swing about their places on straight track.
+"""One mode of a vehicle as a rerun recording: its bodies oscillate about their places on straight track.
 
 Entities: ``world/track/<piece>/...`` and ``world/vehicle/<body>`` as of a run; timeline: ``sim_time``. One
-swing takes `PERIOD` whatever the frequency, and neither grows nor decays, so that slow and fast modes can be
-seen alike.
+period takes `PERIOD` for any frequency, and the motion neither grows nor decays, so that slow and fast modes
+are equally visible.
 """
 
 from dataclasses import replace
@@ -25,9 +25,9 @@ from track.course.alignment import Alignment, Straight
 from vehicles.description import Vehicle
 from vehicles.outline import vehicle_box
 
-PERIOD = 2.0  # s of the playback, of one swing
+PERIOD = 2.0  # s of the playback, of one oscillation
 SWINGS = 4
-RATE = 30  # pictures a second
+PICTURE_RATE = 30  # pictures a second
 AMPLITUDE = 0.12  # of the largest displacement [m] or rotation [rad]
 SIGHT = 60.0  # track drawn before and behind the vehicle [m]
 
@@ -38,7 +38,7 @@ def swing(shape: ComplexArray, times: FloatArray) -> FloatArray:
     Parameters
     ----------
     shape
-        (bodies, 6) three displacements and three small rotations; phases as a mode has them.
+        (bodies, 6) three displacements and three small rotations, complex, with their phases.
     times
         (n,) of the playback [s].
     """
@@ -55,7 +55,7 @@ def record_mode(case: Case, vehicle: Vehicle, shape: ComplexArray, path: Path | 
     case
         Wheel profile and rails at the track's start.
     vehicle
-        Whose mode it is.
+        The vehicle of the mode.
     shape
         (bodies, 6) as of `swing`, in the order of the vehicle's bodies.
     path
@@ -87,9 +87,9 @@ def record_mode(case: Case, vehicle: Vehicle, shape: ComplexArray, path: Path | 
 
 
 def _send(stream: rr.RecordingStream, shown: Scene, shape: ComplexArray, reach: tuple[float, float]) -> None:
-    """Track, shapes and the swinging bodies."""
-    times = np.arange(round(SWINGS * PERIOD * RATE) + 1) / RATE
-    when = clock(times, np.zeros_like(times))[:1]  # it stays where it is on the track
+    """Track, shapes and the oscillating bodies."""
+    times = np.arange(round(SWINGS * PERIOD * PICTURE_RATE) + 1) / PICTURE_RATE
+    when = clock(times, np.zeros_like(times))[:1]  # the vehicle does not move along the track
     stream.log("world", rr.ViewCoordinates.FLU, static=True)
     for number, piece in enumerate(pieces(shown.alignment, shown.rail_left, shown.rail_right, *reach)):
         send_track_piece(stream, f"world/track/{number:04d}", piece)

@@ -23,8 +23,8 @@ T = TypeVar("T")
 
 START_LIMIT = 60.0  # seconds until the viewer answers; software rendering on a busy machine is slow
 LOAD_LIMIT = 120.0  # seconds until a recording is loaded
-STEADY_LIMIT = 60.0  # seconds until two pictures in a row are equal
-NOTICE_TIME = 5.0  # seconds that the viewer's own notice lies over the corner of a whole picture
+STEADY_LIMIT = 60.0  # seconds until two successive pictures are equal
+NOTICE_TIME = 5.0  # seconds during which the viewer's own notice covers a corner of the picture
 _DRIVER_FOLDERS = ("/usr/share/vulkan/icd.d", "/etc/vulkan/icd.d", "/usr/local/share/vulkan/icd.d")
 
 
@@ -38,7 +38,7 @@ def viewer_program() -> Path:
     Raises
     ------
     PictureError
-        It is not there.
+        There is none.
     """
     path = Path(rerun_cli.__file__).with_name("rerun.exe" if sys.platform == "win32" else "rerun")
     if not path.is_file():
@@ -146,7 +146,7 @@ def _headless_viewer(source: Path, size: tuple[int, int]) -> Iterator[ViewerClie
             try:
                 client = ViewerClient.connect(f"rerun+http://127.0.0.1:{port}/proxy")
                 client.get_state()
-            except Exception:  # the bindings raise what they like until the viewer serves
+            except Exception:  # the bindings raise various exceptions until the viewer answers
                 return None
             return client
 
@@ -173,7 +173,7 @@ def _wait(ready: Callable[[], T | None], limit: float, failure: str) -> T:
 
 
 def _loaded(client: ViewerClient) -> ViewerState | None:
-    """The viewer's state once the recording has its timeline and nothing is under way."""
+    """The viewer's state once the recording is loaded and nothing is pending; else None."""
     state = client.get_state()
     timelines = {line.name for recording in state.recordings for line in recording.timelines}
     return state if "sim_time" in timelines and state.views and not state.loading else None

@@ -1,4 +1,4 @@
-"""A recording file (`.rrd`), which bears its name only when it is whole."""
+"""A recording file (`.rrd`), renamed into place when it is complete."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -17,9 +17,9 @@ def new_recording(path: Path, name: str, blueprint: rrb.Blueprint) -> Iterator[r
     Parameters
     ----------
     path
-        File to write; one that is there is replaced at the end.
+        File to write; an existing one is replaced at the end.
     name
-        Of the recording, in the viewer.
+        Name of the recording in the viewer.
     blueprint
         How the viewer arranges it.
     """

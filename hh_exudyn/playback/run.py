@@ -3,8 +3,8 @@
 Entities: ``world/track/<piece>/{rails,bed,sleepers}`` (static), ``world/vehicle`` (the moving frame, on
 the centre line below the car body), ``world/vehicle/<body>``, ``world/vehicle/contact/<wheel>/force`` and
 ``.../patch``, ``plots/<quantity>/<wheel>``, ``shakedown/**``. Wheels are named by wheelset and side, "1L"
-leads, of several units with theirs before it, "2.1L". Timelines: ``sim_time`` and ``track_mm``, the arc
-length of the leading car body.
+the leading left one, with the unit before it for several units, "2.1L". Timelines: ``sim_time`` and
+``track_mm``, the arc length of the leading car body.
 """
 
 from collections.abc import Mapping
@@ -50,10 +50,12 @@ SIGHT = 150.0  # track drawn beyond both ends of the vehicle's path [m]
 class Scene:
     """The surroundings of a log: vehicle, shapes, track and strength.
 
+    They follow from the case; nothing of the log is needed.
+
     Attributes
     ----------
     vehicle
-        What ran.
+        The vehicle of the run.
     shapes
         Meshes about the centres of mass, by entity below ``world/vehicle``.
     alignment
@@ -78,9 +80,9 @@ def scene(case: Case, described: Vehicle | None = None) -> Scene:
     Parameters
     ----------
     case
-        What was run.
+        The case of the run.
     described
-        The vehicle that ran; None: the case's own.
+        The vehicle of the run; None for that of the case.
     """
     tread = np.column_stack([case.wheel.y, case.wheel.z])
     vehicle = described or case.described_vehicle()
@@ -104,7 +106,7 @@ def record(run: Run, path: Path | str, *, every: int = 1, vehicle: int | None = 
     path
         File to write.
     every
-        Only every n-th output time is taken, from 1.
+        Every n-th output time is sent, n from 1.
     vehicle
         Number of the vehicle in the run, to show its wheels alone; None: those of all.
 
@@ -138,7 +140,21 @@ def record_tables(
     every: int = 1,
     vehicle: int | None = None,
 ) -> Path:
-    """As `record`, from the two logs as tables and a scene."""
+    """As `record`, from motion and contact log as tables, and a scene.
+
+    Parameters
+    ----------
+    motion, contact
+        The two logs.
+    scene
+        Vehicle, shapes and track.
+    path
+        File to write.
+    name
+        Of the recording.
+    every, vehicle
+        As `record`.
+    """
     target = Path(path)
     target.parent.mkdir(parents=True, exist_ok=True)
     view = blueprint(scene.vehicle, leading_body(scene.vehicle))
@@ -156,7 +172,19 @@ def send(
     every: int = 1,
     vehicle: int | None = None,
 ) -> None:
-    """Send a run into any recording stream: a file, or a viewer that listens. Errors as `record`."""
+    """Send a run into any recording stream: a file, or a viewer that listens. Errors as `record`.
+
+    Parameters
+    ----------
+    stream
+        The recording.
+    motion, contact
+        The two logs.
+    scene
+        Vehicle, shapes and track.
+    every, vehicle
+        As `record`.
+    """
     if every < 1:
         raise ValueError(f"every = {every} must be at least 1")
     bodies = _bodies(motion, every)

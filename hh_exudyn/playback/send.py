@@ -23,7 +23,7 @@ Clock = Sequence[rr.TimeColumn]
 FORCE_SCALE = 0.6e-5  # length of a normal force's arrow [m/N]: 100 kN are 0.6 m
 CREEP_FORCE_SCALE = 3.0e-5  # creep forces are drawn five times longer
 ARROW_OFFSET = 0.48  # of forces, outwards from their contacts, where no wheel hides them [m]
-PATCH_SCALE = 25.0  # patches are drawn larger
+PATCH_SCALE = 25.0  # enlargement of the patches
 PATCH_THICKNESS = 0.006  # [m]
 NORMAL_COLOUR = (60, 190, 255)
 CREEP_COLOUR = (255, 170, 30)
@@ -36,7 +36,15 @@ OTHER_COLOUR = (200, 200, 200)
 
 
 def clock(times: FloatArray, s: FloatArray) -> Clock:
-    """The timelines: `sim_time` in whole nanoseconds and `track_mm`, the vehicle's place [mm]."""
+    """The timelines: `sim_time` in whole nanoseconds and `track_mm`, the vehicle's arc length [mm].
+
+    Parameters
+    ----------
+    times
+        (n,) output times [s].
+    s
+        (n,) arc lengths of the vehicle [m].
+    """
     nanoseconds = np.round(times * 1e9).astype(np.int64)
     return (
         rr.TimeColumn("sim_time", duration=nanoseconds.astype("timedelta64[ns]")),
@@ -60,7 +68,7 @@ def send_mesh(stream: rr.RecordingStream, entity: str, mesh: trimesh.Trimesh) ->
 
 
 def send_track_piece(stream: rr.RecordingStream, entity: str, piece: Piece) -> None:
-    """A piece of track about its own origin; one sleeper serves as many as there are."""
+    """A piece of track about its own origin; one mesh of a sleeper for all of them."""
     stream.log(entity, rr.Transform3D(translation=piece.origin), static=True)
     send_mesh(stream, f"{entity}/rails", piece.rails)
     send_mesh(stream, f"{entity}/bed", piece.bed)
@@ -86,7 +94,21 @@ def send_contact(
     rail: RailCourse,
     frame: Poses,
 ) -> None:
-    """Forces on a wheel as arrows and its patches as discs, in the moving frame (n poses)."""
+    """Forces on a wheel as arrows and its patches as discs, in the moving frame (n poses).
+
+    Parameters
+    ----------
+    stream
+        The recording.
+    when
+        Timelines of the n output times.
+    wheel
+        Rows of the contact log of a wheel.
+    alignment, rail
+        Track, and rails of that side.
+    frame
+        N poses of the moving frame.
+    """
     row = np.repeat(np.arange(len(wheel.patches)), wheel.patches)
     seen_from = Poses(frame.position[row], frame.rotation[row])
     place = relative(contact_frames(wheel, alignment, rail), seen_from)
@@ -145,7 +167,15 @@ def _colour(wheel: str) -> tuple[int, ...]:
 
 
 def send_series(stream: rr.RecordingStream, when: Clock, wheel: WheelRows, shear_yield: float) -> None:
-    """The plotted quantities of a wheel."""
+    """The plotted quantities of a wheel.
+
+    Parameters
+    ----------
+    stream, when, wheel
+        As in `send_contact`.
+    shear_yield
+        Yield strength in pure shear k [Pa].
+    """
     colour = _colour(wheel.name)
     for key, values in series(wheel, shear_yield).items():
         entity = f"plots/{key}/{wheel.name}"
@@ -156,7 +186,10 @@ def send_series(stream: rr.RecordingStream, when: Clock, wheel: WheelRows, shear
 def send_diagram_points(
     stream: rr.RecordingStream, when: Clock, wheel: WheelRows, shear_yield: float
 ) -> None:
-    """The working points of a wheel's patches in the shakedown diagram (which is y-down)."""
+    """The working points of a wheel's patches in the shakedown diagram (which is y-down).
+
+    Arguments as in `send_series`.
+    """
     friction, pressure = diagram_points(wheel, shear_yield)
     entity = f"shakedown/points/{wheel.name}"
     colour = _colour(wheel.name)

@@ -10,7 +10,7 @@ from hh_exudyn.playback.picture import free_port, viewer_program
 def open_viewer(recording: Path | str) -> int:
     """Open a recording in rerun's viewer, in a window of its own, and return the viewer's process id.
 
-    The viewer listens on 127.0.0.1 only, and goes on when this program ends.
+    The viewer listens on 127.0.0.1 only, and continues after the end of this program.
 
     Raises
     ------

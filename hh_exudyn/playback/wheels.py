@@ -32,7 +32,7 @@ class WheelRows:
     Attributes
     ----------
     name
-        Number of the wheelset and side, such as "1L"; of several vehicles with theirs before it, "2.1L".
+        Number of the wheelset and side, such as "1L", with the unit before it for several units, "2.1L".
     side
         +1 left, -1 right.
     patches
@@ -121,7 +121,15 @@ def series(wheel: WheelRows, shear_yield: float) -> dict[str, FloatArray]:
 
 
 def diagram_points(wheel: WheelRows, shear_yield: float) -> tuple[FloatArray, FloatArray]:
-    """Utilised friction and p0/k of every patch, see `damage.shakedown.working_point`."""
+    """Utilised friction and p0/k of every patch, see `damage.shakedown.working_point`.
+
+    Parameters
+    ----------
+    wheel
+        Rows of the contact log of a wheel.
+    shear_yield
+        Yield strength in pure shear k [Pa].
+    """
     rows = wheel.columns
     return working_point(rows["force_x"], rows["force_y"], rows["normal_force"], rows["p_max"], shear_yield)
 

@@ -141,7 +141,7 @@ def test_search(benchmark: Callable[..., Any], place: str) -> None:
 
 @pytest.mark.parametrize("place", PLACES)
 def test_wheels(benchmark: Callable[..., Any], place: str) -> None:
-    """A thousand wheels, eight a call, at 20 x 20 cells; the patches of a wheel are told beside."""
+    """A thousand wheels, eight a call, at 20 x 20 cells; the patches of a wheel are printed beside."""
     arguments, _, amplitude = wheelset(place)
     many_wheelsets(*arguments, amplitude, 1)
     calls = CALLS // (2 * WHEELSETS)

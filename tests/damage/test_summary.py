@@ -14,7 +14,7 @@ from hh_exudyn.log.store import Run
 
 
 def row(time: float, side: int, patch: int, **values: float) -> dict[str, float]:
-    """A contact state of wheelset 1 that has Q/P = 0.05 and p far below shakedown unless told otherwise."""
+    """A contact state of wheelset 1 that has Q/P = 0.05 and p far below shakedown unless given otherwise."""
     usual = {
         "vehicle": 1, "bogie": 1, "wheelset": 1, "normal_force": 1e5, "a": 7e-3, "b": 5e-3, "p_max": 1.2e9,
         "rolling_radius": 0.4575, "friction": 0.4, "speed": 15.0, "Q": 1e5, "force_x": 5e3,

@@ -4,7 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
-from hh_exudyn.contact.geometry.functions import wheelset_functions
+from hh_exudyn.contact.functions import wheelset_functions
 from hh_exudyn.contact.geometry.merit import conicity_report
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
 from hh_exudyn.figures.conicity import (

@@ -156,7 +156,7 @@ def test_bad_rows_are_named(tmp_path: Path) -> None:
     rows = contact_rows(2)
     rows[1, CONTACT.index("side")] = np.nan
     recorder.append_rows("contact", rows)
-    with pytest.raises(ValueError, match="column side holds values that are no whole numbers"):
+    with pytest.raises(ValueError, match="column side holds values that are not whole numbers"):
         recorder.close()
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
+from track_sections import into_left_curve
 
 from hh_exudyn.case import Case
 from hh_exudyn.log.store import Run
@@ -29,13 +30,7 @@ def demo_run(demo: Case, tmp_path_factory: pytest.TempPathFactory) -> Run:
 @pytest.fixture(scope="session")
 def short_case(demo: Case) -> Case:
     """The first second of a tighter entry: 15 m straight, 15 m transition, 20 m curve."""
-    sections = [
-        {"kind": "straight", "length_m": 15.0, "gauge_mm": 1445.0},
-        {"kind": "transition", "length_m": 15.0},
-        {"kind": "curve", "length_m": 20.0, "radius_m": 450.0, "hand": "left", "cant_mm": 65.0,
-         "gauge_mm": 1445.0},
-    ]  # fmt: skip
-    return demo.with_changes(track={"sections": sections})
+    return demo.with_changes(track={"sections": into_left_curve((15.0, 15.0, 20.0), 450.0, 1445.0)})
 
 
 @pytest.fixture(scope="session")

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from run_tables import table
+from track_sections import into_left_curve
 
 from hh_exudyn.case import Case, CaseError
 from hh_exudyn.conventions import GRAVITY
@@ -32,12 +33,7 @@ def wheel_loads(demo: Case, name: str) -> np.ndarray:
 
 def in_curve(demo: Case, name: str) -> Case:
     """On rigid track, which has no masses to ring; into a curve of 450 m and on in it."""
-    sections = [
-        {"kind": "straight", "length_m": 23.0, "gauge_mm": 1440.0},
-        {"kind": "transition", "length_m": 30.0},
-        {"kind": "curve", "length_m": 47.0, "radius_m": 450.0, "hand": "left", "cant_mm": 65.0,
-         "gauge_mm": 1440.0},
-    ]  # fmt: skip
+    sections = into_left_curve((23.0, 30.0, 47.0), 450.0, 1440.0)
     return demo.with_changes(
         vehicle=name, track={"flexibility": "rigid", "sections": sections}, contact={"cells": [16, 8]}
     )

@@ -3,7 +3,7 @@
 ================  ===================================================================================
 `alignment`       `Alignment`: sections checked and made into the kernel table
 `sections`        straights, transitions, curves, ramps; grades
-`course`          curvature, cant, gauge and gradient along them, their kinks blended
+`course`          curvature, cant, gauge and gradient along them; shapes of transitions, blended kinks
 `frame`           track frame at every arc length, arc length of a point (kernels)
 `rail_frame`      the frame of one rail: irregularity, ramps and deflection turn it (kernel)
 `types`           NamedTuples that enter the alignment kernels

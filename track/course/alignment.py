@@ -6,11 +6,11 @@ profile (`Grade`); `Alignment` checks them and builds the table that the kernels
 
 Continuous are position, heading, curvature, cant, gauge and gradient, AND the rates of the latter four.
 The kinks that sections leave (both ends of a clothoid, of a cant ramp, of a vertical curve) are blended over
-`blend` metres to both sides, so that what lies behind stays where it was (`track.course.course` has the
+`blend` metres to both sides, without displacement of the track behind (`track.course.course` has the
 formula). Curvature, cant or gauge that jump from section to section are errors, not blended.
 
-Outside the sections: before s = 0 and behind the end the track goes on with the curvature, cant,
-gauge and gradient it has there (`lead_in` and `run_out` metres, since the rear of a vehicle stands at s < 0),
+Outside the sections: before s = 0 and beyond the end the track continues with the curvature, cant, gauge and
+gradient it has there (`lead_in` and `run_out` metres, since the rear of a vehicle stands at s < 0),
 so an alignment of one `Curve` is a full circle. A `Transition` at the start or the end joins a straight
 without cant. Beyond lead-in and run-out there is no track: the kernels return NaN.
 
@@ -73,14 +73,14 @@ _SHORTEST_CELL = 1e-6  # m; marks closer to a section boundary than this are lef
 
 @dataclass(frozen=True)
 class Alignment:
-    """A checked row of sections with its kernel table.
+    """A sequence of sections, checked, with its kernel table.
 
     Parameters
     ----------
     sections : from s = 0 onwards
     step : largest distance of the table's nodes [m], 0.05 to 2
     lead_in, run_out : length of the track before s = 0 and behind the end [m]
-    grades : vertical profile from s = 0 onwards, level track if there are none; the last gradient goes on
+    grades : vertical profile from s = 0 onwards, level track if there are none; the last gradient continues
     blend : length to both sides of a kink over which its rate is made continuous [m], 0.01 to 5; no more
         than a quarter of the shorter of the sections that meet there is used
 
@@ -111,7 +111,14 @@ class Alignment:
     def from_sections(
         cls, sections: Iterable[Section], step: float = 0.5, grades: Iterable[Grade] = ()
     ) -> Self:
-        """The alignment made of `sections`, from s = 0 onwards."""
+        """The alignment made of `sections`, from s = 0 onwards.
+
+        Parameters
+        ----------
+        sections : in order
+        step : largest distance of the table's nodes [m]
+        grades : vertical profile from s = 0 on; level track without
+        """
         return cls(tuple(sections), step, grades=tuple(grades))
 
     @property
@@ -177,7 +184,7 @@ def _summed(parts: np.ndarray, zero: int) -> np.ndarray:
 
 
 def _places(courses: tuple[Course, ...], bounds: np.ndarray, step: float, blend: float) -> np.ndarray:
-    """Arc lengths of the nodes: all section boundaries, all marks of the courses, and fill between them."""
+    """Arc lengths of the nodes: section boundaries, ends of blends, and nodes in between."""
     other = np.unique(np.concatenate([marks(course, blend) for course in courses]))
     above = np.clip(np.searchsorted(bounds, other), 1, bounds.size - 1)
     near = np.minimum(np.abs(bounds[above] - other), np.abs(bounds[above - 1] - other)) < _SHORTEST_CELL

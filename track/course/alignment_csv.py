@@ -10,10 +10,10 @@ Columns, their units in their names:
     gauge_mm            default 1435
     start_m             arc length at which the section begins, only to check for gaps and overlaps
 
-A row's values hold AT ITS END: over its length the track goes linearly to them from those of the row before.
-So a row like the one before it is a straight or curve, a row that differs is a transition (clothoid, cant
+A row's values hold AT ITS END: over its length they change linearly from those of the row before. So a row
+with the values of the row before is a straight or curve, one with other values a transition (clothoid, cant
 ramp, gauge ramp, vertical curve); the first row is constant. Compound and reverse curves are written the same
-way. Nothing can jump.
+way. No value can jump.
 """
 
 import math
@@ -39,8 +39,8 @@ from track.course.sections import (
 from track.csv_columns import CsvRow, read_columns
 
 _OPTIONAL = ("curvature_1_per_m", "radius_m", "hand", "cant_mm", "gradient_per_mille", "gauge_mm", "start_m")
-_CLOSE = 1e-3  # m, how exactly start_m must fit
-# the largest value of a whole table, if there is any, is above these; below it stands in another unit
+_CLOSE = 1e-3  # m, tolerance of start_m
+# least largest value of a column that is not all zero; a smaller one is in another unit
 _LEAST_CANT_MM = 1.0
 _LEAST_GRADIENT_PER_MILLE = 0.1
 
@@ -88,7 +88,7 @@ def read_alignment_csv(path: str | Path, step: float = 0.5, blend: float = 0.5) 
 
 
 def _section(length: float, first: State, last: State, radius: float) -> Section:
-    """A straight or a curve where nothing changes, a ramp else."""
+    """A straight or a curve where the values are constant, else a ramp."""
     if first != last:
         return Ramp(length, *zip(first, last, strict=True))
     _, cant, gauge = last
@@ -98,7 +98,7 @@ def _section(length: float, first: State, last: State, radius: float) -> Section
 
 
 def _check_columns(row: CsvRow) -> None:
-    """Curvature is given in one way."""
+    """Raise ValueError unless curvature is given in exactly one way."""
     names = row.fields
     if ("curvature_1_per_m" in names) == ("radius_m" in names):
         raise row.error("give either column curvature_1_per_m or columns radius_m and hand")
@@ -144,12 +144,12 @@ def _gradient(row: CsvRow) -> float:
 
 
 def _start(row: CsvRow, expected: float) -> float:
-    """Where the row says that it begins [m], `expected` if it says nothing."""
+    """Start of the row by its column start_m [m]; `expected` where that is empty."""
     return row.number("start_m", -1e7, 1e7) if "start_m" in row.fields else expected
 
 
 def _check_units(rows: list[CsvRow]) -> None:
-    """Metres for millimetres and slopes for per mille are caught by the largest value of the table."""
+    """Raise ValueError for metres as millimetres or slopes as per mille, by the largest value of a column."""
     for name, least, other in (
         ("cant_mm", _LEAST_CANT_MM, "metres"),
         ("gradient_per_mille", _LEAST_GRADIENT_PER_MILLE, "a slope without unit"),

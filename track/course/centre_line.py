@@ -1,19 +1,20 @@
 """An alignment from surveyed centre-line points: smoothing to curvature.
 
-Points differentiated twice are noise. So the line is not drawn through the points: a chain of clothoids, its
-curvature linear between knots, is laid beside them by penalised least squares of the curvature's rate,
+The second derivative of surveyed points is mostly noise. So the line does not pass through the points: a
+chain of clothoids, its curvature linear between knots, is fitted by least squares with a penalty on the rate
+of curvature,
 
     minimise  sum_i w_i r_i^2 + (L / 2 pi)^6 int (d kappa / ds)^2 ds
     subject to the chain having no gap and no corner,
 
-with r_i the distance of point i from the chain across it, w_i the length of track that the point stands for,
-and L the `wavelength`: a sinusoidal deviation of that wavelength keeps half of its amplitude, one of L / 2
-keeps 1.5 % (the smoother's response is 1 / (1 + (L f)^6)). Straights and circular curves of any radius cost
+with r_i the distance of point i from the chain across it, w_i the length of track assigned to the point,
+and L the `wavelength`: a sinusoidal deviation of that wavelength is reduced to half, one of L / 2 to 1.5 %
+(the smoother's response is 1 / (1 + (L f)^6)). Straights and circular curves of any radius cost
 nothing and are not biased; the ends of transitions are rounded over some L / 3. Heights are smoothed by the
 same rule with the rate of the vertical curvature as penalty.
 
-The chain itself is what is fitted (Gauss-Newton, all knots at once), so its integral does not drift away from
-the points. How far each point lies from it is returned, and refused above `largest_deviation`.
+The chain itself is fitted (Gauss-Newton, all knots at once), so its integral does not drift away from the
+points. The deviation of each point is returned; above `largest_deviation` it is an error.
 """
 
 import math
@@ -30,16 +31,16 @@ from track.course.alignment import Alignment
 from track.course.sections import CANT, Grade, Ramp, check
 
 _KNOTS_PER_WAVELENGTH = 20
-_STEPS = 30  # of Gauss and Newton; four to eight are used
+_STEPS = 30  # most Gauss-Newton steps; four to eight are used
 _CONVERGED = 1e-8  # m
-_SHARPEST_CORNER = 0.5  # rad between two knots; more is no railway but points out of order
+_SHARPEST_CORNER = 0.5  # rad between two knots; more means points out of order
 _OFFSET = 0.5 * math.sqrt(0.6)
 _GAUSS = ((0.5 - _OFFSET, 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.5 + _OFFSET, 5.0 / 18.0))
 
 
 @dataclass(frozen=True)
 class CentreLine:
-    """A fitted alignment and where it lies on the map.
+    """A fitted alignment and its place on the map.
 
     Parameters
     ----------
@@ -72,9 +73,9 @@ def fit_centre_line(
     Parameters
     ----------
     points : (n, 2) or (n, 3) x, y and height of the centre line in the order of the track [m]
-    wavelength : below which variations of the points are taken for noise [m], 20 to 1000
+    wavelength : limit below which variations of the points count as noise [m], 20 to 1000
     largest_deviation : of a point from the line, across and in height [m], 1e-3 to 10
-    balance_speed : points tell nothing of the cant; it is made that of zero cant deficiency at this speed
+    balance_speed : points give no cant; it is set to that of zero cant deficiency at this speed
         [m/s], 0 to 100, up to `largest_cant` [m], 0 to 0.180
     gauge : of the whole line [m]
 
@@ -114,20 +115,20 @@ def fit_centre_line(
         )
         grades = tuple(Grade(d, a, b) for d, a, b in _cells(length, slope)) if points.shape[1] == 3 else ()
     except ValueError as error:
-        raise ValueError(f"{error}: the points are no railway, or wavelength is too short for them") from None
+        raise ValueError(f"{error}: the points are not of a railway, or wavelength is too short") from None
     x, y, heading = (float(value) for value in chain[0, :3])
     alignment = Alignment(sections, grades=grades)
     return CentreLine(alignment, (x, y, float(z[0])), heading, s, deviation, height_deviation)
 
 
 def _cells(length: FloatArray, *knots: FloatArray) -> list[tuple[float, ...]]:
-    """Length of every cell, and the two ends of everything that is given at the knots."""
+    """Per cell: its length, then the values of each quantity in `knots` at its two ends."""
     columns = [end for values in knots for end in (values[:-1].tolist(), values[1:].tolist())]
     return list(zip(length.tolist(), *columns, strict=True))
 
 
 def _checked_chords(points: FloatArray, wavelength: float) -> FloatArray:
-    """Distances between successive points [m]; raises ValueError as `fit_centre_line` says."""
+    """Distances between successive points [m]; raises ValueError as `fit_centre_line`."""
     if points.ndim != 2 or points.shape[1] not in (2, 3):
         raise ValueError(f"points have shape {points.shape}, allowed are (n, 2) and (n, 3)")
     bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
@@ -169,7 +170,7 @@ def _fit_plan(
         c, n = np.cos(chain[j, 2] + turn), np.sin(chain[j, 2] + turn)
         across = c * offset[:, 1] - n * offset[:, 0]
         forward = c * offset[:, 0] + n * offset[:, 1]
-        late = u**3 / (6.0 * h)  # how far curvature at the next knot turns the point aside
+        late = u**3 / (6.0 * h)  # lateral displacement of the point per curvature at the next knot
         model = _rows(4, m, (j, 0, -n), (j, 1, c), (j, 2, u), (j, 3, 0.5 * u**2 - late), (j + 1, 3, late))
         joint, closing = _joints(chain, h, points[0])
         step = _constrained(model, weight, across, rate, wavelength, joint, closing, chain)
@@ -181,9 +182,9 @@ def _fit_plan(
 
 
 def _joints(chain: FloatArray, h: float, start: FloatArray) -> tuple[sparse.csr_matrix, FloatArray]:
-    """Equations of a chain without gaps and corners that begins beside the first point, for a step of it.
+    """Constraints of a step: no gaps, no corners, the first knot abreast of the first point.
 
-    Its derivatives by the curvatures are those of a straight cell, which costs a Gauss-Newton step, no error.
+    The derivatives by the curvatures are those of a straight cell: that costs a further step, no accuracy.
     """
     m = len(chain)
     first, one = np.arange(m - 1), np.ones(m - 1)
@@ -191,7 +192,7 @@ def _joints(chain: FloatArray, h: float, start: FloatArray) -> tuple[sparse.csr_
     c, n = np.cos(chain[:-1, 2]), np.sin(chain[:-1, 2])
     way = np.column_stack([c * ahead - n * aside, n * ahead + c * aside, turn])
     gap = chain[1:, :3] - chain[:-1, :3] - way
-    near, far = h**2 / 3.0, h**2 / 6.0  # how far the curvatures at both knots turn the next knot aside
+    near, far = h**2 / 3.0, h**2 / 6.0  # lateral displacement of the next knot per curvature at either knot
     half = 0.5 * h * one
     zero = np.zeros(1, dtype=int)
     joint = sparse.vstack([
@@ -264,7 +265,7 @@ def _rows(width: int, m: int, *entries: tuple[NDArray[np.int64], int, FloatArray
 def _along(
     chain: FloatArray, j: NDArray[np.int64], u: FloatArray, h: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Way ahead and aside [m] and turn [rad] from knots j to u metres behind them (three points of Gauss)."""
+    """Displacement forward, left [m] and turn [rad] from knots j to u metres beyond (three Gauss points)."""
     curvature = chain[j, 3]
     bend = (chain[j + 1, 3] - curvature) / (2.0 * h)
     ahead, aside = np.zeros(u.size), np.zeros(u.size)
@@ -276,7 +277,7 @@ def _along(
 
 
 def _first_chain(points: FloatArray, s: FloatArray, h: float, m: int) -> FloatArray:
-    """Chain with its knots on the chords of the points; behind the last point it goes straight on."""
+    """Chain with its knots on the chords of the points; beyond the last point it is straight."""
     at = h * np.arange(m)
     x, y = (np.interp(at, s, points[:, k]) for k in range(2))
     inside = int(np.searchsorted(at, s[-1], side="right"))
@@ -296,6 +297,6 @@ def _first_chain(points: FloatArray, s: FloatArray, h: float, m: int) -> FloatAr
 
 
 def _weights(s: FloatArray) -> FloatArray:
-    """Length of track that each point stands for [m]."""
+    """Length of track assigned to each point [m]."""
     chord = np.diff(s)
     return 0.5 * (np.append(chord, chord[-1]) + np.insert(chord, 0, chord[0]))

@@ -1,16 +1,17 @@
-"""How curvature, cant, gauge and gradient run along the track, and the blending of their kinks.
+"""Curvature, cant, gauge and gradient along the track: shapes of transitions, and the blending of kinks.
 
-A `Course` is one quantity, piece by piece. Between the ends of a clothoid it is linear, so its RATE jumps
-there. A rate that jumps is not what a track has, and excites whatever looks at it; so every kink is blended
-over `blend` metres to both sides:
+A `Course` is one quantity, piece by piece. Along a clothoid it is linear, so its RATE jumps at both ends. No
+track has such a jump, and it would excite vehicle and controllers; so every kink is blended over `blend`
+metres to both sides:
 
     f(s) + D b [1/12 - |t|/2 + 3 t^2/4 - |t|^3/3],  t = (s - s_k) / b,  |t| < 1,  D the jump of the slope
 
 This is f smoothed by the kernel K(t) = 3/2 - 2 |t|, whose zeroth moment is 1 and whose first AND second
-moments vanish. So the blending changes neither the heading nor, but for 1e-9 m, the place of anything behind
-it: the clothoid ends where Fresnel's integrals say (at its very end, inside the blend, within D b^3 / 240,
-that is 3e-7 m for a clothoid of 20 m into R = 100 m). The bracket is cubic on either side of the kink, so
-that the cubic pieces of the kernel table hold it exactly. Its price is a rate that overshoots by 6 % of D.
+moments vanish. So the blending changes neither the heading nor, but for 1e-9 m, the position of the track
+behind it: the clothoid ends where Fresnel's integrals say (at its very end, inside the blend, within
+D b^3 / 240, that is 3e-7 m for a clothoid of 20 m into R = 100 m). The bracket is cubic on either side of the
+kink, so that the cubic pieces of the kernel table represent it exactly. In return the rate overshoots by 6 %
+of D.
 """
 
 from typing import NamedTuple
@@ -34,7 +35,7 @@ class Course(NamedTuple):
 
 
 class PlanCourses(NamedTuple):
-    """What the sections say."""
+    """Courses of the quantities that the sections define."""
 
     curvature: Course  # [1/m]
     cant: Course  # height of the right rail over the left [m]
@@ -44,7 +45,12 @@ class PlanCourses(NamedTuple):
 def plan_courses(sections: tuple[Section, ...], lead_in: float, run_out: float) -> PlanCourses:
     """Courses of curvature, cant and gauge, with constant pieces before s = 0 and behind the end.
 
-    Raises ValueError where something jumps or the ends of a `Transition` are not defined.
+    Raises ValueError where a quantity jumps or the ends of a `Transition` are not defined.
+
+    Parameters
+    ----------
+    sections : of the alignment, from s = 0 on
+    lead_in, run_out : length of track before s = 0 and beyond the end [m]
     """
     ends = [_ends(sections, i) for i in range(len(sections))]
     bounds = [0.0]
@@ -72,9 +78,15 @@ def plan_courses(sections: tuple[Section, ...], lead_in: float, run_out: float) 
 
 
 def grade_course(grades: tuple[Grade, ...], length: float, lead_in: float, run_out: float) -> Course:
-    """Course of the gradient; the last one goes on to the end of the track.
+    """Course of the gradient; the last one continues to the end of the track.
 
     Raises ValueError where gradients jump, or where the grades are longer than the sections (`length`, m).
+
+    Parameters
+    ----------
+    grades : vertical profile, from s = 0 on
+    length : of all sections [m]
+    lead_in, run_out : as for `plan_courses` [m]
     """
     pieces: list[tuple[float, float, float, int]] = []
     end = 0.0
@@ -131,14 +143,27 @@ def _course(pieces: list[tuple[float, float, float, int]], lead_in: float, run_o
 
 
 def marks(course: Course, blend: float) -> FloatArray:
-    """Arc lengths [m] between which the blended course is one cubic (or a cosine)."""
+    """Arc lengths [m] between which the blended course is one cubic (or a cosine).
+
+    Parameters
+    ----------
+    course : one quantity along the track
+    blend : half length of a blend [m]
+    """
     kink, half, _ = _kinks(course, blend)
     middle = 0.5 * (course.at[:-1] + course.at[1:])[course.shape == _HELMERT]
     return np.concatenate([course.at, kink - half, kink + half, middle])
 
 
 def values(course: Course, s: FloatArray, blend: float) -> tuple[FloatArray, FloatArray]:
-    """Value and slope of the blended course at increasing arc lengths s (n,)."""
+    """Value and slope of the blended course at increasing arc lengths s (n,).
+
+    Parameters
+    ----------
+    course : one quantity along the track
+    s : (n,) increasing arc lengths [m]
+    blend : half length of a blend [m]
+    """
     piece = np.clip(np.searchsorted(course.at, s, side="right") - 1, 0, course.shape.size - 1)
     length = np.diff(course.at)[piece]
     change = (course.last - course.first)[piece]

@@ -1,7 +1,7 @@
 """The track frame at every arc length, and the arc length of a point (kernels).
 
 T is pitched with the gradient: `inclined_frame`, `inclined_rotation` and `inclined_locate` belong together.
-`track_frame` is what they have in common with a look at the plan: everything but the pitch.
+`track_frame` gives the same frame without the pitch, for computations in plan.
 """
 
 import math
@@ -20,7 +20,13 @@ _GAUSS_MIDDLE = 8.0 / 18.0
 
 @inlined_kernel
 def turn_in_cell(node: FloatArray, u: float) -> float:
-    """Heading [rad] at u metres behind a node, less the node's: the integral of the cubic curvature."""
+    """Heading [rad] at u metres beyond a node, less the node's: the integral of the cubic curvature.
+
+    Parameters
+    ----------
+    node : (len(Node),) row of the alignment table
+    u : distance from the node [m]
+    """
     c, d = node[Node.CURVATURE_2] * (1.0 / 3.0), node[Node.CURVATURE_3] * 0.25  # divisions are slow
     return u * (node[Node.CURVATURE] + u * (node[Node.CURVATURE_1] * 0.5 + u * (c + u * d)))
 
@@ -37,10 +43,15 @@ def _cos_sin(turn: float) -> tuple[float, float]:
 
 @inlined_kernel
 def shift_in_cell(node: FloatArray, u: float) -> tuple[float, float]:
-    """Way ahead and aside [m] from a node, in the node's heading, to u metres behind it.
+    """Displacement forward and to the left [m], in the node's heading, from a node to u metres beyond it.
 
     The integrals of cos and sin of the turn by Gauss' three points: exact for terms up to u^5, so that the
     remainder is below 1e-12 m for u <= 2 m (radii of 100 m and more).
+
+    Parameters
+    ----------
+    node : (len(Node),) row of the alignment table
+    u : distance from the node [m]
     """
     c1, s1 = _cos_sin(turn_in_cell(node, u * (0.5 - _GAUSS_OFFSET)))
     c2, s2 = _cos_sin(turn_in_cell(node, u * 0.5))
@@ -52,7 +63,10 @@ def shift_in_cell(node: FloatArray, u: float) -> tuple[float, float]:
 
 @inlined_kernel
 def rise_in_cell(node: FloatArray, u: float) -> float:
-    """Height [m] at u metres behind a node, less the node's: the integral of the cubic gradient."""
+    """Height [m] at u metres beyond a node, less the node's: the integral of the cubic gradient.
+
+    Arguments as in `turn_in_cell`.
+    """
     c, d = node[Node.GRADIENT_2] * (1.0 / 3.0), node[Node.GRADIENT_3] * 0.25
     return u * (node[Node.GRADIENT] + u * (node[Node.GRADIENT_1] * 0.5 + u * (c + u * d)))
 
@@ -83,7 +97,7 @@ def _centre(node: FloatArray, u: float) -> tuple[float, float, float, float]:
 
 @inlined_kernel
 def _gradient(node: FloatArray, u: float) -> float:
-    """Gradient dz/ds [-] at u metres behind a node."""
+    """Gradient dz/ds [-] at u metres beyond a node."""
     return node[Node.GRADIENT] + u * (
         node[Node.GRADIENT_1] + u * (node[Node.GRADIENT_2] + u * node[Node.GRADIENT_3])
     )
@@ -97,6 +111,11 @@ def track_frame(table: AlignmentTable, s: float) -> tuple[float, float, float, f
     about the forward axis [rad] (negative in a canted left-hand curve: the right rail is higher), curvature
     in plan [1/m], gauge [m]. All NaN outside the table. The pitch and the rotation T to global: see
     `inclined_frame`.
+
+    Parameters
+    ----------
+    table : of the alignment
+    s : arc length in plan [m]
     """
     i = _cell(table, s)
     if i < 0:
@@ -120,6 +139,11 @@ def inclined_frame(
     Returns x, y, z, heading, pitch, roll, curvature, gauge: as `track_frame`, and the pitch about T's y axis
     [rad], negative uphill. All NaN outside the table. The rotation T to global is
     `inclined_rotation(heading, pitch, roll)`.
+
+    Parameters
+    ----------
+    table : of the alignment
+    s : arc length in plan [m]
     """
     x, y, z, heading, roll, curvature, gauge = track_frame(table, s)
     i = _cell(table, s)
@@ -130,9 +154,9 @@ def inclined_frame(
 
 
 class TrackTurn(NamedTuple):
-    """How the track frame T goes on along the track, per metre of arc length in plan, in the axes of T."""
+    """Translation and rotation of the track frame T per metre of arc length in plan, in the axes of T."""
 
-    ahead: float  # way along x [-]
+    ahead: float  # translation along x [-]
     twist: float  # rotation about x [rad/m]
     pitch: float  # about y [rad/m]
     yaw: float  # about z [rad/m]
@@ -141,10 +165,16 @@ class TrackTurn(NamedTuple):
 
 @inlined_kernel
 def track_turn(table: AlignmentTable, s: float, pitch: float, roll: float) -> TrackTurn:
-    """The turning of T at arc length s, where `inclined_frame` gives this pitch and roll [rad].
+    """Rotation of T per metre at arc length s, where `inclined_frame` gives this pitch and roll [rad].
 
     With T = Rz(heading) Ry(pitch) Rx(roll) its rotation per metre is Rx^T (Ry^T (0, 0, heading') +
     (0, pitch', 0)) + (roll', 0, 0) in its own axes. NaN outside the table.
+
+    Parameters
+    ----------
+    table : of the alignment
+    s : arc length in plan [m]
+    pitch, roll : of T there, from `inclined_frame` [rad]
     """
     i = _cell(table, s)
     if i < 0:
@@ -169,7 +199,13 @@ def track_turn(table: AlignmentTable, s: float, pitch: float, roll: float) -> Tr
 
 @kernel
 def inclined_rotation(heading: float, pitch: float, roll: float, out: FloatArray) -> None:
-    """Write the rotation matrix T to global, Rz(heading) Ry(pitch) Rx(roll), into `out` (3, 3)."""
+    """Write the rotation matrix T to global, Rz(heading) Ry(pitch) Rx(roll), into `out` (3, 3).
+
+    Parameters
+    ----------
+    heading, pitch, roll : of T [rad]
+    out : (3, 3) result
+    """
     ch = math.cos(heading)
     sh = math.sin(heading)
     cp = math.cos(pitch)
@@ -183,11 +219,17 @@ def inclined_rotation(heading: float, pitch: float, roll: float, out: FloatArray
 
 @kernel
 def inclined_locate(table: AlignmentTable, x: float, y: float, z: float, s_guess: float) -> float:
-    """Arc length [m] where the point (x, y, z) has no x coordinate in T pitched with the gradient.
+    """Arc length [m] of the frame T, pitched with the gradient, in which the point (x, y, z) has x = 0.
 
     The foot of the perpendicular on the centre line; without the height a point 2 m above a track with
     10 per mille would be missed by 20 mm. Newton's method from `s_guess`, exact to 1e-10 m. NaN where the
     foot lies outside the table or Newton fails (point near the centre of the curve).
+
+    Parameters
+    ----------
+    table : of the alignment
+    x, y, z : the point, global frame [m]
+    s_guess : first guess of the arc length [m]
     """
     s = s_guess
     for _ in range(_NEWTON_STEPS):
@@ -210,7 +252,7 @@ def inclined_locate(table: AlignmentTable, x: float, y: float, z: float, s_guess
 
 @inlined_kernel
 def _seen_from(node: FloatArray, u: float, x: float, y: float) -> tuple[float, float, float]:
-    """How far a point lies ahead and aside in plan [m] of the centre line, and the curvature there [1/m]."""
+    """Coordinates of a point in plan, forward and left of the centre line [m], and curvature there [1/m]."""
     x0, y0, turn, curvature = _centre(node, u)
     ct, st = _cos_sin(turn)
     c = node[Node.FORWARD_X] * ct - node[Node.FORWARD_Y] * st

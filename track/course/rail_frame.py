@@ -1,17 +1,17 @@
-"""The frame of one rail at every arc length: its place in the track frame, and which way it runs (kernel).
+"""The frame of one rail at every arc length: its position and direction in the track frame (kernel).
 
 R is the track frame T turned so that its x axis is the tangent of this rail. The rail's line in T is
 
     r = (0, Y, Z),    Y = alignment + y cos(roll),    Z = level + y sin(roll),                          (1)
 
 with y = +-(half the gauge + distance of the profile's origin from the gauge point), left positive, and the
-roll of the sleeper by the cross-level, which both rails share (a wheelset on them does not feel a cross-level
-as inclined rails, but as cant). T itself turns by the vector w per metre of arc length: the tangent is
+roll of the sleeper by the cross-level, which both rails share (for a wheelset a cross-level is cant, not a
+change of the rails' inclination). T itself turns by the vector w per metre of arc length: the tangent is
 
     dr/ds = (ahead, 0, 0) + w x (0, Y, Z) + (0, dY/ds, dZ/ds).                                          (2)
 
-In a circular curve of constant cant, gauge and gradient R runs as T; on ramps of cant, gauge and on
-irregularities it does not. Only the direction follows from (2): the rail's material rests.
+In a circular curve of constant cant, gauge and gradient R is parallel to T; on ramps of cant and gauge and on
+irregularities it is not. Only the direction follows from (2): the rail's material is at rest.
 """
 
 import math
@@ -25,7 +25,7 @@ from track.irregularity.table import IrregularityState
 
 
 class RailShift(NamedTuple):
-    """Deflection of a rail below a wheel, and how it would go on along the track under the same load."""
+    """Deflection of a rail below a wheel, and its slopes along the track under the same load."""
 
     lateral: float  # to the left [m]
     vertical: float  # up [m]
@@ -43,7 +43,7 @@ def rail_frame(
     position: FloatArray,
     rotation: FloatArray,
 ) -> float:
-    """Write place and direction of a rail; returns its rotation about its own axis per metre [rad/m].
+    """Write position and direction of a rail; returns its rotation about its own axis per metre [rad/m].
 
     Parameters
     ----------

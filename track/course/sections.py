@@ -1,7 +1,6 @@
 """Sections of an alignment in plan (`Straight`, `Transition`, `Curve`, `Ramp`) and the `Grade`.
 
-Each checks its own numbers; jumps from one to the next are refused in
-`track.course.course`.
+Each checks its own numbers; jumps from one to the next are errors of `track.course.course`.
 """
 
 from dataclasses import dataclass, replace
@@ -24,7 +23,7 @@ State = tuple[
 
 
 def check(name: str, value: float, limits: tuple[float, float], unit: str = "m") -> None:
-    """Raise ValueError unless `value` is a number within `limits` (NaN is not)."""
+    """Raise ValueError unless `value` lies within `limits`; NaN does not."""
     if not limits[0] <= value <= limits[1]:
         unit = f" {unit}" if unit else ""
         raise ValueError(f"{name} is {value}{unit}, allowed are {limits[0]:g} to {limits[1]:g}{unit}")
@@ -49,7 +48,7 @@ class Straight:
 
 @dataclass(frozen=True)
 class Transition:
-    """Takes curvature, cant and gauge from one neighbour's values to the other's.
+    """A change of curvature, cant and gauge from the values of one neighbour to those of the other.
 
     Straight to curve, curve to straight, curve to another curve of the same hand (compound) or of the other
     (reverse). `length` [m]. `gauge` [m] is the gauge at its middle, with linear ramps to both sides; None,
@@ -100,7 +99,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class Ramp:
-    """Everything linear from its beginning to its end, both written out (tables and surveyed lines).
+    """Curvature, cant and gauge linear between given ends, for tables and surveyed lines.
 
     `curvature` [1/m] is positive to the left. `cant` [m] is the height of the RIGHT rail over the left one,
     so that it has the sign of the curvature where the outer rail is raised.
@@ -134,7 +133,8 @@ class Ramp:
 class Grade:
     """A stretch of the vertical profile: gradient dz/ds [-], positive uphill, over `length` [m] in plan.
 
-    With `end` it is a vertical curve (a parabola) in which the gradient goes linearly from `gradient` to it.
+    With `end` it is a vertical curve (a parabola) in which the gradient changes linearly from `gradient` to
+    it.
     """
 
     length: float

@@ -11,7 +11,7 @@ from track.csv_columns import read_columns
 
 _SEMI_MAJOR = 6378137.0  # m, WGS 84
 _FLATTENING = 1.0 / 298.257223563  # WGS 84
-_LARGEST_EXTENT = 200e3  # m: 1e5 m from its middle the tangent plane is short by 1.2e-4
+_LARGEST_EXTENT = 200e3  # m: lengths 1e5 m from the middle of the tangent plane are 1.2e-4 too short
 
 
 def read_centre_line_csv(path: str | Path) -> FloatArray:

@@ -1,4 +1,4 @@
-"""The alignment as the kernels take it: the table of nodes and its columns."""
+"""The alignment for the kernels: the table of nodes and its columns."""
 
 from enum import IntEnum
 from typing import NamedTuple
@@ -39,12 +39,17 @@ class Node(IntEnum):
     GRADIENT_3 = 22
 
 
-class AlignmentTable(NamedTuple):
-    """The centre line at nodes no farther apart than `step`; every section boundary is a node.
+def _column(node: Node, meaning: str) -> property:
+    """A column of an `AlignmentTable` by name."""
 
-    One array holds all nodes: a row is read at once, and few arrays cross the Python border fast. `cell`
-    finds the node in front of s without a search. The columns by name are for Python only.
-    """
+    def values(table: "AlignmentTable") -> NDArray[np.float64]:
+        return table.nodes[:, node]
+
+    return property(values, doc=meaning)
+
+
+class _Nodes(NamedTuple):
+    """The fields of an `AlignmentTable` for the kernels."""
 
     start: float  # arc length of the first node [m], minus the lead-in
     end: float  # of the last node [m]
@@ -52,47 +57,20 @@ class AlignmentTable(NamedTuple):
     cell: NDArray[np.int64]  # (m,) node at or before start + j * step
     nodes: NDArray[np.float64]  # (n, len(Node))
 
-    @property
-    def s(self) -> NDArray[np.float64]:
-        """Arc lengths of the nodes [m]."""
-        return self.nodes[:, Node.S]
 
-    @property
-    def x(self) -> NDArray[np.float64]:
-        """Global x of the nodes [m]."""
-        return self.nodes[:, Node.X]
+class AlignmentTable(_Nodes):
+    """The centre line at nodes no farther apart than `step`; every section boundary is a node.
 
-    @property
-    def y(self) -> NDArray[np.float64]:
-        """Global y of the nodes [m]."""
-        return self.nodes[:, Node.Y]
+    One array for all columns: a row is contiguous, and few arrays make calls from Python fast. `cell` gives
+    the node before s without a search. The properties are for Python only.
+    """
 
-    @property
-    def z(self) -> NDArray[np.float64]:
-        """Global z of the nodes [m]."""
-        return self.nodes[:, Node.Z]
-
-    @property
-    def heading(self) -> NDArray[np.float64]:
-        """Headings at the nodes [rad]."""
-        return self.nodes[:, Node.HEADING]
-
-    @property
-    def curvature(self) -> NDArray[np.float64]:
-        """Curvatures at the nodes, positive in left-hand curves [1/m]."""
-        return self.nodes[:, Node.CURVATURE]
-
-    @property
-    def cant(self) -> NDArray[np.float64]:
-        """Height of the right rail over the left at the nodes [m]."""
-        return self.nodes[:, Node.CANT]
-
-    @property
-    def gauge(self) -> NDArray[np.float64]:
-        """Gauges at the nodes [m]."""
-        return self.nodes[:, Node.GAUGE]
-
-    @property
-    def gradient(self) -> NDArray[np.float64]:
-        """Gradients at the nodes, positive uphill [-]."""
-        return self.nodes[:, Node.GRADIENT]
+    s = _column(Node.S, "Arc lengths of the nodes [m].")
+    x = _column(Node.X, "Global x of the nodes [m].")
+    y = _column(Node.Y, "Global y of the nodes [m].")
+    z = _column(Node.Z, "Global z of the nodes [m].")
+    heading = _column(Node.HEADING, "Headings at the nodes [rad].")
+    curvature = _column(Node.CURVATURE, "Curvatures at the nodes, positive in left-hand curves [1/m].")
+    cant = _column(Node.CANT, "Height of the right rail over the left at the nodes [m].")
+    gauge = _column(Node.GAUGE, "Gauges at the nodes [m].")
+    gradient = _column(Node.GRADIENT, "Gradients at the nodes, positive uphill [-].")

@@ -23,10 +23,10 @@ Appl. Mech. Rev. 44(4), 1991, 191-204):
 over wavelengths within a band, by default 3 to 70 m (bands D1 and D2 of EN 13848-1, those of recording cars
 and of UIC 518). At 60 km/h 3 m is a frequency of 5.6 Hz; forces up to 20 Hz need wavelengths down to 0.8 m.
 The standard deviation over the whole length is that of the spectrum for every seed; the track repeats after
-`length`. The phases come straight from the bits of PCG64, a stream that numpy guarantees, so a seed means the
-same track on every machine (to rounding). Another sampling step samples the same track, another length is
-another track, and "erri_low" and "erri_high" of one seed and length have their waves in the same places,
-since these spectra differ by scale alone.
+`length`. The phases are made from the bits of PCG64, a stream that numpy guarantees, so a seed gives the same
+track on every machine (to rounding). Another sampling step samples the same track, another length gives
+another track, and "erri_low" and "erri_high" of one seed and length have the same phases, since these
+spectra differ by scale alone.
 """
 
 import math
@@ -45,7 +45,7 @@ from track.irregularity.spectra import (
     spectrum,
 )
 from track.irregularity.table import IrregularityTable, irregularity_table
-from track.irregularity.wavelength_bands import band_pass
+from track.irregularity.wavelength_bands import wavelength_band
 
 BAND = (3.0, 70.0)  # m, wavelengths of random tracks by default
 POINTS_PER_WAVELENGTH = 6  # a spline's second derivative is then 9 % small, ((2 pi / 6)^2 / 12)
@@ -54,11 +54,11 @@ _LENGTH = (20.0, 1e6)  # m
 _STEP = (0.01, 10.0)  # m
 _FADE = (1.0, 1000.0)  # m
 _LARGEST = 0.5  # m, of an irregularity
-_DEVIATION = (0.0, 0.1)  # m, what one may scale to
+_DEVIATION = (0.0, 0.1)  # m, of a scaled signal
 
 
 def _check(name: str, value: float, limits: tuple[float, float], unit: str = "m") -> None:
-    """Raise ValueError unless `value` is a number within `limits` (NaN is not)."""
+    """Raise ValueError unless `value` lies within `limits`; NaN does not."""
     if not limits[0] <= value <= limits[1]:
         raise ValueError(f"{name} is {value} {unit}, allowed are {limits[0]:g} to {limits[1]:g} {unit}")
 
@@ -76,8 +76,7 @@ class Irregularity:
     values : (n, 4) array
         Level, alignment, gauge and cross-level [m], the order of `SIGNALS`.
     shortest : float
-        Shortest wavelength that it holds [m]; None, the default, stands for `POINTS_PER_WAVELENGTH`
-        samples.
+        Shortest wavelength in the signals [m]; None, the default, for `POINTS_PER_WAVELENGTH` times `step`.
 
     Raises
     ------
@@ -124,22 +123,32 @@ class Irregularity:
         return column
 
     def filtered(self, wavelengths: tuple[float, float]) -> Self:
-        """The part in a band of wavelengths [m], with zero phase; see `wavelength_bands.band_pass`."""
-        values = band_pass(self.values, self.step, wavelengths)
+        """The part in a band of wavelengths [m], with zero phase; see `wavelength_bands.wavelength_band`."""
+        values = wavelength_band(self.values, self.step, wavelengths)
         return replace(self, values=values, shortest=max(wavelengths[0], self.shortest or 0.0))
 
     def standard_deviation(self, name: str, wavelengths: tuple[float, float] | None = None) -> float:
-        """Standard deviation [m] of a signal, as it is or in a band of wavelengths [m]."""
+        """Standard deviation [m] of a signal, as it is or in a band of wavelengths [m].
+
+        Parameters
+        ----------
+        name : str
+            Of the signal.
+        wavelengths : (float, float) or None
+            Shortest and longest [m]; None for all.
+        """
         values = self.signal(name)
-        return float(np.std(values if wavelengths is None else band_pass(values, self.step, wavelengths)))
+        return float(
+            np.std(values if wavelengths is None else wavelength_band(values, self.step, wavelengths))
+        )
 
     def scaled(self, deviations: dict[str, float], wavelengths: tuple[float, float] | None = None) -> Self:
-        """Signals multiplied so that they have the wanted standard deviations.
+        """Signals scaled to given standard deviations.
 
         Parameters
         ----------
         deviations : dict
-            Wanted standard deviation [m] by signal; signals that are not named stay. 0 takes one away.
+            Standard deviation [m] by signal; signals that are not named are unchanged. 0 removes one.
         wavelengths : (float, float) or None
             Band [m] in which the standard deviation is taken; the whole signal is scaled.
 
@@ -163,7 +172,7 @@ class Irregularity:
         return replace(self, values=self.values * np.array([1.0, -1.0, 1.0, -1.0]))
 
     def table(self, fade: float = 50.0) -> IrregularityTable:
-        """What the kernels read: splines, faded in and out over `fade` metres (1 to 1000) at either end.
+        """Splines for the kernels, faded in and out over `fade` metres (1 to 1000) at either end.
 
         So a run begins and ends on smooth track, and value, slope and second derivative are continuous.
 
@@ -278,7 +287,17 @@ def random_irregularity(
 
 
 def random_phases(seed: int, stream: int, count: int) -> FloatArray:
-    """Phases uniform in 0 to 2 pi [rad], the same on every machine: the upper 53 bits of PCG64's numbers."""
+    """Phases uniform in 0 to 2 pi [rad], the same on every machine: the upper 53 bits of PCG64's numbers.
+
+    Parameters
+    ----------
+    seed : int
+        >= 0.
+    stream : int
+        Number of the stream of that seed.
+    count : int
+        Number of phases.
+    """
     bits = np.random.PCG64(np.random.SeedSequence(seed, spawn_key=(stream,))).random_raw(count)
     phases: FloatArray = 2.0 * math.pi * 2.0**-53 * (np.asarray(bits) >> np.uint64(11)).astype(float)
     return phases

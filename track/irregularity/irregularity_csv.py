@@ -3,7 +3,7 @@
 Columns are separated by commas, semicolons, tabs or blanks; decimals have a point. ``#`` starts a comment.
 A header line may name the columns (``position, level, alignment, gauge, cross_level``, with or without
 ``_m``, ``_mm``, ``[m]``, ``[mm]``), then they may stand in any order; without it they stand in this one.
-Signs are those of `track.irregularity.irregularity`; `signs` turns those of a car that has others. Gauge is
+Signs are those of `track.irregularity.irregularity`; `signs` converts those of other recording cars. Gauge is
 the deviation from nominal.
 
 Nothing is repaired: gaps, missing values, other units and uneven spacing are errors with line and column.
@@ -21,11 +21,11 @@ from track.irregularity.spectra import SIGNALS
 COLUMNS = ("position", *SIGNALS)
 
 _LARGEST = 100.0  # mm; the limits for immediate action are far below (EN 13848-5)
-_LEAST = 0.1  # mm, that some value of a signal reaches; 0.1 m would be a track out of use
+_LEAST = 0.1  # mm, least maximum of a signal: 0.1 read as metres would be a track out of use
 _ABSOLUTE_GAUGE = (1400.0, 1500.0)  # mm
 _SPACING = (0.01, 10.0)  # m
 _GAP = 1.5  # spacings; a larger step has lost samples
-_UNEVEN = 0.1  # part of the spacing by which a step may differ: positions are rounded to centimetres
+_UNEVEN = 0.1  # allowed deviation of a step over the spacing: positions are rounded to centimetres
 _LEAST_ROWS = 10
 
 
@@ -104,7 +104,7 @@ def _cells(content: str) -> list[str]:
 
 
 def _order(path: Path, number: int, cells: list[str]) -> list[int]:
-    """Where each of `COLUMNS` stands, from a header."""
+    """Position of each of `COLUMNS` in a header line."""
     names = []
     for cell in cells:
         name = re.sub(r"\[.*\]|\(.*\)", "", cell.strip("\"' ").lower()).strip()

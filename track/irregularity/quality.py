@@ -13,7 +13,7 @@ are Table 1-4 of S. Hossein-Nia's thesis, in `data/quality.toml`; his Tables 1-5
 =======  ==================  ==================================================
 
 QN3 = 1.3 QN2 is unconfirmed: the thesis does not give it for standard deviations. Neither does it say which
-filter its Tables 1-5 and 1-6 rest on; 3 to 25 m is what UIC 518 means by them.
+filter its Tables 1-5 and 1-6 rest on; 3 to 25 m is the band of UIC 518.
 """
 
 from collections.abc import Sequence
@@ -108,6 +108,13 @@ def quality_class(deviations: FloatArray, speed: float) -> NDArray[np.int64]:
     """Class (index into `CLASSES`) of sections from their deviations (n, 2) of level and alignment [m].
 
     Raises ValueError for a speed out of range, deviations of another shape, negative or NaN.
+
+    Parameters
+    ----------
+    deviations : (n, 2) array
+        Standard deviations of level and alignment [m], >= 0.
+    speed : float
+        [m/s], up to 300 km/h.
     """
     if deviations.ndim != 2 or deviations.shape[1] != 2:
         raise ValueError(f"deviations has shape {deviations.shape}, it must be (n, 2)")
@@ -125,7 +132,7 @@ def track_quality(track: Irregularity, speed: float, section_length: float = SEC
     Parameters
     ----------
     track : Irregularity
-        At least as long as a section; what remains behind the last whole one is left out.
+        At least as long as a section; the remainder after the last whole section is omitted.
     speed : float
         [m/s], up to 300 km/h.
     section_length : float

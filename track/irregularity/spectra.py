@@ -10,9 +10,9 @@ ERRI B176 (the "German" spectra), with F = Oc^2 / ((O^2 + Or^2) (O^2 + Oc^2)):
     gauge      Ag F O^2 / (O^2 + Os^2)   cross-level (2b)^2 (Av / b^2) F O^2 / (O^2 + Os^2)   (3), (4)
 
 The published fourth formula, Av / b^2 ..., has the unit 1/(rad/m): it is the spectrum of the ANGLE of the
-cross-level, and (2b)^2 makes the height difference of the rails, 2b = 1.5 m apart, of it. Some programs
+cross-level, and (2b)^2 converts it to the height difference of the rails, 2b = 1.5 m apart. Some programs
 take it for a height in m^2/(rad/m) and get two thirds of the standard deviation. (4) tends to four times (1)
-at short wavelengths, which is what two rails that know nothing of each other give.
+at short wavelengths, as for two uncorrelated rails.
 
 (1) and (2) reproduce GENSYS's "ORE B176 high level" within 0.1 %. (3) does NOT: GENSYS's gauge spectrum is 4
 to 10 times larger. It is another spectrum, or its row means another quantity; the source could not be read.
@@ -29,7 +29,7 @@ FRA after Fryba ("fra_4_fryba"), longitudinal level only, over n [1/m]:
     S(n) = A n2^2 (n^2 + n1^2) / (n^4 (n^2 + n2^2)),   S(Omega) = S(n) / 2 pi                 (8)
 
 The two FRA forms do not agree: (5) is 14 (class 6) to 80 times (class 4) larger than (8) at wavelengths of
-some metres, and which of them a class means is an open question. ERRI is the safe choice.
+some metres, and which of them describes a class is an open question. ERRI is the safe choice.
 """
 
 import math
@@ -69,12 +69,14 @@ _Numbers = Mapping[str, float]  # of a spectrum, by the names of the data file
 
 @dataclass(frozen=True)
 class Form:
-    """A formula that spectra share: one record, from which its signals and doubts follow.
+    """The formula of a family of spectra.
+
+    The record includes its signals, confirmed and unconfirmed.
 
     Attributes
     ----------
     name : str
-        As the data file calls it.
+        Its name in the data file.
     density : callable
         (signal, Omega^2 [rad^2/m^2], numbers) -> S [m^2/(rad/m)].
     signals : tuple of str
@@ -148,7 +150,7 @@ class Spectrum:
 
     @property
     def wavelengths(self) -> tuple[float, float]:
-        """Shortest and longest for which the source gives it [m]."""
+        """Shortest and longest wavelength of the source [m]."""
         shortest, longest = self.numbers.row("wavelengths")
         return shortest, longest
 
@@ -172,6 +174,13 @@ class Spectrum:
         """One-sided S of a signal at angular wave numbers omega > 0 [rad/m], in m^2/(rad/m).
 
         Raises ValueError for a signal that the spectrum does not describe.
+
+        Parameters
+        ----------
+        signal : str
+            One of `signals`.
+        omega : array
+            Angular wave numbers [rad/m], > 0.
         """
         check_signal(signal, self.signals)
         return self.form.density(signal, np.asarray(omega, dtype=float) ** 2, self.parameters)
@@ -180,6 +189,13 @@ class Spectrum:
         """Standard deviation [m] of a signal in a band of wavelengths [m], by integration.
 
         Raises ValueError for a band out of `WAVELENGTHS` or a signal that the spectrum does not describe.
+
+        Parameters
+        ----------
+        signal : str
+            One of `signals`.
+        wavelengths : (float, float)
+            Shortest and longest [m].
         """
         check_wavelengths("wavelengths", wavelengths)
         shortest, longest = wavelengths

@@ -1,4 +1,4 @@
-"""Irregularities as the kernels read them: cubic splines of the four signals on one uniform grid.
+"""Irregularities for the kernels: cubic splines of the four signals on one uniform grid.
 
 Values, slopes and second derivatives are continuous along the whole track, also where the irregularities
 begin and end: outside they are zero, and inside they are faded in and out (`irregularity_table`).
@@ -32,7 +32,7 @@ class IrregularityState(NamedTuple):
 class IrregularityTable(NamedTuple):
     """Level, alignment, gauge and cross-level at the nodes of a uniform grid. Outside it they are zero.
 
-    One array holds all: two neighbouring rows give everything, and few arrays cross the Python border fast.
+    One array for all: two neighbouring rows suffice, and few arrays make calls from Python fast.
     """
 
     start: float  # s of the first node [m]
@@ -50,6 +50,15 @@ def fade_window(count: int, step: float, fade: float) -> FloatArray:
     """Weights of `count` samples that rise from 0 to 1 over `fade` metres and fall again at the end.
 
     Slope and second derivative are zero at both ends of a flank: w = 10 t^3 - 15 t^4 + 6 t^5.
+
+    Parameters
+    ----------
+    count : int
+        Number of samples.
+    step : float
+        Spacing [m].
+    fade : float
+        Length of a flank [m].
     """
     at = step * np.arange(count)
     t = np.clip(np.minimum(at, at[-1] - at) / fade, 0.0, 1.0)
@@ -58,13 +67,25 @@ def fade_window(count: int, step: float, fade: float) -> FloatArray:
 
 
 def irregularity_table(start: float, step: float, values: FloatArray, fade: float) -> IrregularityTable:
-    """The table of samples (n, 4) [m] from arc length `start` at spacing `step`, faded over `fade` [m]."""
+    """The table of samples (n, 4) [m] from arc length `start` at spacing `step`, faded over `fade` [m].
+
+    Parameters
+    ----------
+    start : float
+        Arc length of the first sample [m].
+    step : float
+        Spacing [m].
+    values : (n, 4) array
+        Level, alignment, gauge and cross-level [m].
+    fade : float
+        Length of fading at either end [m].
+    """
     faded = values * fade_window(len(values), step, fade)[:, np.newaxis]
     padded = np.pad(faded, ((_MARGIN, _MARGIN), (0, 0)))
     first = start - _MARGIN * step
     spline = CubicSpline(step * np.arange(len(padded)), padded, bc_type="natural")
     second = spline(spline.x, 2)
-    second[[0, -1]] = 0.0  # as the end condition says, without the rounding
+    second[[0, -1]] = 0.0  # the end condition, without rounding
     return IrregularityTable(first, step, 1.0 / step, np.ascontiguousarray(np.hstack([padded, second])))
 
 
@@ -78,6 +99,13 @@ def irregularity_at(table: IrregularityTable, s: float) -> IrregularityState:
     """The four irregularities and their slopes at arc length s; zero outside the table.
 
     All NaN where s is NaN.
+
+    Parameters
+    ----------
+    table : IrregularityTable
+        Of the track.
+    s : float
+        Arc length [m].
     """
     u = (s - table.start) * table.per_step
     last = table.nodes.shape[0] - 1

@@ -10,12 +10,12 @@ from track.irregularity.spectra import check_wavelengths
 D1 = (3.0, 25.0)  # m, EN 13848-1
 D2 = (25.0, 70.0)  # m
 
-_LEAST_SAMPLES = 2.5  # a wavelength: beyond, the digital filter's edge would lie at the Nyquist frequency
-_LEAST_LENGTH = 2.0  # longest wavelengths that the signal must be long
-_PADDED_LENGTH = 2.0  # longest wavelengths by which both ends are continued
+_LEAST_SAMPLES = 2.5  # per wavelength; with 2 the filter's edge would lie at the Nyquist frequency
+_LEAST_LENGTH = 2.0  # least length of the signal over the longest wavelength
+_PADDED_LENGTH = 2.0  # length of the continuation of both ends over the longest wavelength
 
 
-def band_pass(values: FloatArray, step: float, wavelengths: tuple[float, float]) -> FloatArray:
+def wavelength_band(values: FloatArray, step: float, wavelengths: tuple[float, float]) -> FloatArray:
     """The part of samples in a band of wavelengths, with zero phase.
 
     Parameters

@@ -60,14 +60,29 @@ class DataTable:
         return float(value)
 
     def number(self, name: str, unit: str, low: float, high: float) -> float:
-        """A number from `low` to `high` in the unit of the file."""
+        """A number from `low` to `high` in the unit of the file.
+
+        Parameters
+        ----------
+        name : key in the table
+        unit : of the number, for messages
+        low, high : allowed range, ends included
+        """
         value = self._get(name, f"{low:g} to {high:g} {unit}")
         return self._checked(name, value, unit, low, high)
 
     def numbers(
         self, name: str, unit: str, low: float, high: float, count: int | None = None
     ) -> tuple[float, ...]:
-        """A list of numbers, `count` of them unless None."""
+        """A list of numbers, `count` of them unless None.
+
+        Parameters
+        ----------
+        name : key in the table
+        unit : of the numbers, for messages
+        low, high : allowed range, ends included
+        count : how many are needed; None for one or more
+        """
         allowed = f"a list of {count or 'one or more'} numbers, {low:g} to {high:g} {unit}"
         value = self._get(name, allowed)
         if not isinstance(value, list) or not value or (count is not None and len(value) != count):
@@ -75,7 +90,14 @@ class DataTable:
         return tuple(self._checked(f"{name}[{i}]", x, unit, low, high) for i, x in enumerate(value))
 
     def mapping(self, name: str, unit: str, low: float, high: float) -> dict[str, float]:
-        """A table of numbers under names that are the user's own."""
+        """A table of numbers under names of the user's choice.
+
+        Parameters
+        ----------
+        name : key in the table
+        unit : of the numbers, for messages
+        low, high : allowed range, ends included
+        """
         inner = DataTable(self._get(name, "a table of numbers"), self.file, self.key(name))
         if not inner.entries:
             raise self.error(
@@ -92,7 +114,7 @@ class DataTable:
         return value
 
     def source(self) -> str:
-        """The table's ``source``: "kind: what is known", kind one of `KINDS`."""
+        """The table's ``source``: "kind: text", kind one of `KINDS`."""
         value = self.text("source")
         if kind_of(value) not in KINDS:
             raise self.error(
@@ -105,7 +127,7 @@ class DataTable:
         return DataTable(self._get(name, "a table"), self.file, self.key(name))
 
     def tables(self, name: str) -> list["DataTable"]:
-        """The row of tables ``[[name]]``, one at least."""
+        """The array of tables ``[[name]]``, one at least."""
         value = self._get(name, f"one or more tables [[{name}]]")
         if not isinstance(value, list) or not value:
             raise self.error(f"{self.key(name)} = {value!r}: allowed one or more tables [[{name}]]")

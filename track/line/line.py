@@ -1,14 +1,14 @@
-"""A line as a set of representative track sections with weights: what a load collective is made of.
+"""A line as a set of representative track sections with weights, for load collectives.
 
 The file of a line (TOML, `read_line`) holds statistics: curve classes with their shares, radii and cants by
-hand, countries, rails, gauge, quality, speeds. `load_sections` crosses them into `TrackSection` values, each
-with its weight, the share of the line that it stands for:
+hand, countries, rails, gauge, quality, speeds. `load_sections` combines them to `TrackSection` values, each
+with its weight, its share of the line:
 
     >>> for section in load_sections(read_line("malmbanan"), "iore_wagon_loaded"):
     ...     run(section.alignment(), section.rails, section.speed, section.quality, section.weight)
 
-The classes are taken as independent of each other inside a curve class: quality and rails are spread evenly
-over the countries, because nothing else is known of them.
+Within a curve class quality, rails and country are taken as independent: their joint distribution is not
+known.
 """
 
 import math
@@ -89,7 +89,7 @@ def load_sections(
     vehicle : a name of ``[speed_km_h]`` in the line's file
     quality : one of `CLASSES` for all sections instead of the distributions of the line: fewer sections
     wear : wear state of the rails, "new" for the nominal profiles
-    returning : the line run the other way, where left-hand curves are right-hand ones
+    returning : the opposite direction of running, in which left-hand curves are right-hand ones
 
     Returns
     -------

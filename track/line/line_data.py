@@ -22,7 +22,7 @@ class TrackClass:
 class SpeedRule:
     """Largest speeds: of each vehicle [m/s], and of all of them in a curve by cant deficiency [m].
 
-    Where the cant deficiency cuts the speed, it is cut to a whole multiple of `step` [m/s].
+    Where the cant deficiency limits the speed, it is rounded down to a multiple of `step` [m/s].
     """
 
     largest: dict[str, float]
@@ -47,7 +47,7 @@ class Line:
     """A line's statistics, with the source of every table of its file.
 
     `line_quality` is the distribution of `track.irregularity.quality.CLASSES` over the whole line by another
-    measurement, None where there is none; nothing is computed from it.
+    measurement, or None; it does not enter any computation.
     """
 
     name: str

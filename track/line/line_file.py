@@ -1,4 +1,4 @@
-"""The known lines, and the reader of a line's file: shares sum up, classes do not overlap, rails everywhere.
+"""The known lines, and the reader of a line's file, which checks sums of shares, classes and rails.
 
 The tables and keys are those of ``track/data/malmbanan.toml``; ``rails`` may name measured profiles by a path
 relative to the file, with a ``wear`` of their own.
@@ -19,8 +19,8 @@ from track.rails import NEW, GaugeRule, RailPair, RailRule, known_rail, rail_pai
 
 GROUP = "hh_exudyn.lines"  # of the entry points
 
-_RADIUS = (100.0, 20000.0)  # m, as `track.course.alignment` has it
-_ROUNDING = 0.015  # of distributions and lengths as people print them, in whole per cent
+_RADIUS = (100.0, 20000.0)  # m, as in `track.course.alignment`
+_ROUNDING = 0.015  # of published distributions and lengths, in whole per cent
 _STRAIGHT = "straight"
 
 _Sources = dict[str, str]
@@ -111,13 +111,13 @@ def _line(file: DataTable, folder: Path) -> Line:
 
 
 def _with_source(table: DataTable, sources: _Sources) -> DataTable:
-    """The table, its source noted."""
+    """The table; its source is added to `sources`."""
     sources[table.place] = table.source()
     return table
 
 
 def _speed(file: DataTable, sources: _Sources) -> SpeedRule:
-    """Largest speeds of the vehicles, and what cant deficiency allows."""
+    """Largest speeds by vehicle and by cant deficiency."""
     vehicles = _with_source(file.table("speed_km_h"), sources)
     names = [key for key in vehicles.entries if key != "source"]
     if not names:
@@ -217,7 +217,7 @@ _Split = tuple[float, float, dict[str, float]]  # radius from, to, shares
 
 
 def _splits(file: DataTable, countries: dict[str, float], sources: _Sources) -> list[_Split]:
-    """How tracks of some radii are split among the countries."""
+    """Shares of the countries by interval of radius."""
     found = []
     for table in file.tables("country_split"):
         _with_source(table, sources)
@@ -269,7 +269,7 @@ def _line_quality(file: DataTable, sources: _Sources) -> _Quality | None:
 def _rails(
     file: DataTable, countries: dict[str, float], folder: Path, sources: _Sources
 ) -> tuple[RailRule, ...]:
-    """Which rails lie where."""
+    """Rails by country, interval of radius and wear state."""
     found = []
     for table in file.tables("rails"):
         _with_source(table, sources)

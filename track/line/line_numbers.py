@@ -1,4 +1,4 @@
-"""The numbers of a line's file as sourced parameters, for lists of what is known and what is guessed."""
+"""The numbers of a line's file as sourced parameters, for lists of published and assumed numbers."""
 
 import re
 from collections.abc import Iterator
@@ -21,7 +21,7 @@ def line_numbers(name: str) -> tuple[Parameter, ...]:
 
 
 def _numbers(place: str, value: Any, source: str, unit: str) -> Iterator[Parameter]:
-    """The numbers in a value at a place of the file; infinity (straight track, no upper bound) is none."""
+    """The numbers in a value at a place of the file; infinity (straight track, no upper bound) is skipped."""
     if isinstance(value, dict):
         source = value.get("source", source)
         for key, inner in value.items():

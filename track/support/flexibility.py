@@ -1,19 +1,19 @@
 """From sleepers to the lumped track under one wheelset: `track_flexibility("concrete")`.
 
-The seven degrees of freedom of `track.support.substructure` cannot be read off a drawing: a wheel bends the
-rail over several sleepers, and how many depends on direction and frequency. So their parameters are fitted
-to the receptance of the rail on its sleepers (`track.support.sleepers`), mean along the track, in four
-cases: lateral and vertical, both rails loaded alike or opposite.
+The parameters of the seven degrees of freedom of `track.support.substructure` are no data of components: a
+wheel bends the rail over several sleepers, and their number depends on direction and frequency. So they are
+fitted to the receptance of the rail on its sleepers (`track.support.sleepers`), averaged along the track, in
+four cases: lateral and vertical, both rails loaded alike or opposite.
 
 * Statics exactly: in each direction two stiffnesses give both cases' static receptance. Laterally the pad
-  from the gauge spreading, the ballast from the rest; vertically pad and bed share the deflection as under a
-  sleeper, and the place of the bed's springs makes the roll right.
+  from the gauge spreading, the ballast from the remainder; vertically pad and bed share the deflection as
+  under a sleeper, and the spacing of the bed's springs gives the roll stiffness.
 * Dynamics by least squares of the relative receptance error from 0 to `VALID_TO`: masses and dampers.
 * The rail masses have a least value, `LEAST_RAIL_MASS`: the beam's own effective mass (55 to 80 kg) would
   vibrate on the contact spring too fast for an explicit step.
 
 Largest error of the complex receptance, anywhere along the track, 0 to 35 Hz (to 20 Hz), in per cent, and
-how far a rail goes down under 150 kN on both:
+the deflection under 150 kN on each rail:
 
 ==================  ===============  ===========================  ===============================
 set                 deflection [mm]  lateral alike, opposite      vertical alike, opposite
@@ -26,7 +26,7 @@ set                 deflection [mm]  lateral alike, opposite      vertical alike
 `wooden_frozen`     1.13             12.1 (3.9),  10.2 (4.3)       4.0 (2.0),   4.0 (2.0)
 ==================  ===============  ===========================  ===============================
 
-Laterally it is the surplus of rail mass that remains. Above 35 Hz the lumped track is not the track: unfrozen
+The lateral error is due to the surplus of rail mass. Above 35 Hz the lumped track is not valid: unfrozen
 "concrete" resonates vertically at 67 Hz, where the rail on its sleepers and ballast does so at 52 Hz and half
 as high, since it radiates waves.
 
@@ -49,10 +49,10 @@ from track.support.substructure import TrackFlexibility
 
 VALID_TO = 35.0  # Hz, of the vehicle and track model (Hossein-Nia 2018, section 1.2.1)
 LEAST_RAIL_MASS = 150.0  # kg, on contact springs of 1.7 GN/m: stable up to steps of 0.45 ms (test_stability)
-LARGEST_RATE = 1000.0  # 1/s, pad damping over rail mass at most, far from the 6,000 that 0.4 ms would allow
+LARGEST_RATE = 1000.0  # 1/s, most pad damping over rail mass; steps of 0.4 ms would allow 6000
 _CASES: tuple[Loading, Loading] = ("alike", "opposite")
 _FREQUENCIES = np.linspace(5.0, VALID_TO, 7)
-_PULL = 0.02  # relative error of the receptance that weighs as much as a factor e off the guess
+_PULL = 0.02  # relative receptance error with the same weight as a factor e between unknown and guess
 
 _ComplexArray = NDArray[np.complexfloating[Any, Any]]
 
@@ -64,7 +64,7 @@ def track_flexibility(name: str) -> TrackFlexibility:
 
 
 def lumped(sleepers: SleeperTrack) -> TrackFlexibility:
-    """The seven degrees of freedom under one wheelset, of about the receptance of a track on sleepers."""
+    """Lumped track under one wheelset, fitted to the receptance of a track on sleepers."""
     lateral = {case: _static(sleepers, "lateral", case) for case in _CASES}
     vertical = {case: _static(sleepers, "vertical", case) for case in _CASES}
 
@@ -93,7 +93,7 @@ def lumped(sleepers: SleeperTrack) -> TrackFlexibility:
             _on_rail(over, rolling, rail, omega),
         ]
 
-    # first guess: what one rail seat has, over the sleepers that are moved
+    # first guess: values of one rail seat times the number of sleepers in motion
     moved_y = pad_y / sleepers.pad_stiffness_lateral
     moved_z = pad_z / sleepers.pad_stiffness_vertical
     share = bed_z / moved_z / sleepers.subgrade_stiffness_vertical  # of the subgrade in the bed's deflection
@@ -130,7 +130,7 @@ def lumped(sleepers: SleeperTrack) -> TrackFlexibility:
 def _on_rail(
     over: _ComplexArray, below: _ComplexArray, rail: float, omega: NDArray[np.float64]
 ) -> _ComplexArray:
-    """Receptance of a rail mass on a pad on what is below it."""
+    """Receptance of a rail mass on a pad on a substructure of receptance `below`."""
     return 1.0 / (over * below / (over + below) - omega**2 * rail)
 
 
@@ -169,11 +169,11 @@ def _fit(
     model: Callable[..., list[_ComplexArray]],
     guess: list[float],
 ) -> list[float]:
-    """Rail mass, and what `guess` stands for, of least relative error against the rail on sleepers.
+    """Rail mass and the parameters of `guess`, of least relative error against the rail on sleepers.
 
     `guess` is a pad's damper, then any order of masses and dampers. The unknowns are logarithms of the ratio
-    to the guess, in bounds of 1/2 and 4, and a weak pull holds at the guess what the receptance leaves
-    open: so no part becomes so light or so damped that it would limit the time step.
+    to the guess, in bounds of 1/2 and 4, and a weak penalty keeps parameters that the receptance does
+    not determine near their guess: no part becomes so light or so damped that it would limit the time step.
     """
     exact = [
         np.array([_mean(sleepers, direction, case, frequency) for frequency in _FREQUENCIES])

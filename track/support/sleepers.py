@@ -1,17 +1,18 @@
-"""A track on sleepers as sources give it, and the exact response of its rails at one place.
+"""A track on sleepers by the data of its components, and the exact receptance of its rails.
 
 The rail is a Timoshenko beam (shear and rotary inertia; Timoshenko 1921) on supports one sleeper spacing d
-apart, without end. Of the two rails only two cases are needed: both loaded `alike`, or `opposite`, where
+apart, infinitely long. Two load cases of the two rails suffice: both loaded `alike`, or `opposite`, where
 vertically the sleeper rolls and laterally it rests while the gauge widens. With deflection w, rotation theta,
 moment M and shear force V the beam is, at the angular frequency omega,
 
     w' = theta + V / (kappa G A),   theta' = M / (E I)                                                    (1)
     M' = -V - rho I omega^2 theta,   V' = -rho A omega^2 w                                                (2)
 
-so a field y = (w, theta, M, V) goes over a length x by exp(A x), over a support of dynamic stiffness K by
-V+ = V- + K w, and over one spacing by a matrix whose eigenvectors are the waves of the periodic track. Those
-that fade to the right and to the left, joined where a unit force makes V jump, give the receptance. This is
-exact at any frequency, at rest too; for d -> 0 it tends to Winkler's even foundation (Zimmermann 1888).
+so a state y = (w, theta, M, V) is transferred over a length x by exp(A x), over a support of dynamic
+stiffness K by V+ = V- + K w, and over one spacing by a matrix with the waves of the periodic track as its
+eigenvectors. Those that decay to the right and to the left, joined where a unit force makes V jump, give the
+receptance. This is exact at any frequency, 0 included; for d -> 0 it tends to Winkler's even foundation
+(Zimmermann 1888).
 """
 
 import math
@@ -22,6 +23,7 @@ import numpy as np
 from scipy.linalg import expm
 
 from hh_exudyn.sourced import Parameter, ParameterSet, load_parameters
+from track.support.numbers import check_numbers, unit_of
 
 Direction = Literal["lateral", "vertical"]
 Loading = Literal["alike", "opposite"]
@@ -29,7 +31,7 @@ Loading = Literal["alike", "opposite"]
 
 @dataclass(frozen=True)
 class SleeperTrack:
-    """A track on sleepers as sources give it. Pad, ballast and subgrade values are per RAIL SEAT.
+    """Data of a track on sleepers. Pad, ballast and subgrade values are per RAIL SEAT.
 
     Raises ValueError for a value that is not positive and finite.
     """
@@ -58,11 +60,7 @@ class SleeperTrack:
     rail_spacing_half: float
 
     def __post_init__(self) -> None:
-        for item in fields(self):
-            value = getattr(self, item.name)
-            if not 0.0 < value < math.inf:
-                name = f"{item.name} of SleeperTrack"
-                raise ValueError(f"{name} is {value} {UNITS[item.name]}, it must be positive and finite")
+        check_numbers(self)
 
     @property
     def bed_stiffness_vertical(self) -> float:
@@ -77,7 +75,12 @@ class SleeperTrack:
     def support(self, direction: Direction, loading: Loading, omega: float) -> complex:
         """Dynamic stiffness of one rail seat [N/m] at an angular frequency [rad/s].
 
-        The sleeper is rigid, an even bar on an even bed. Laterally the ballast holds it without moving along.
+        The sleeper is rigid, a uniform bar on a uniform bed. Laterally the ballast is fixed to the ground.
+
+        Parameters
+        ----------
+        direction, loading : lateral or vertical; both rails alike or opposite
+        omega : angular frequency [rad/s]
         """
         half_sleeper = -(omega**2) * 0.5 * self.sleeper_mass
         if direction == "lateral":
@@ -128,35 +131,23 @@ class SleeperTrack:
         support[3, 0] = self.support(direction, loading, omega) / bending
         cell = expm(beam * after_sleeper) @ support @ expm(beam * (self.sleeper_spacing - after_sleeper))
         factors, waves = np.linalg.eig(cell)
-        order = np.argsort(np.abs(factors))  # two fade to the right, two to the left
+        order = np.argsort(np.abs(factors))  # two decay to the right, two to the left
         joined = np.hstack([waves[:, order[:2]], -waves[:, order[2:]]])
         amplitudes = np.linalg.solve(joined, [0.0, 0.0, 0.0, -1.0 / bending])
         return complex(waves[0, order[:2]] @ amplitudes[:2])
 
 
 def series(first: complex, second: complex) -> complex:
-    """Stiffness of two springs in series [N/m]."""
+    """Stiffness of two springs in series [N/m].
+
+    Parameters
+    ----------
+    first, second : stiffnesses [N/m]
+    """
     return first * second / (first + second)
 
 
-def _unit(name: str) -> str:
-    """SI unit of a field, from its name."""
-    for part, unit in (
-        ("stiffness", "N/m"),
-        ("damping", "N s/m"),
-        ("mass_per_length", "kg/m"),
-        ("mass", "kg"),
-        ("modulus", "Pa"),
-        ("inertia", "m4"),
-        ("area", "m2"),
-        ("coefficient", "-"),
-    ):
-        if part in name:
-            return unit
-    return "m"
-
-
-UNITS = {item.name: _unit(item.name) for item in fields(SleeperTrack)}
+UNITS = {item.name: unit_of(item.name) for item in fields(SleeperTrack)}
 
 
 def sleeper_track_names() -> tuple[str, ...]:
@@ -165,7 +156,7 @@ def sleeper_track_names() -> tuple[str, ...]:
 
 
 def sleeper_track_numbers(name: str) -> tuple[Parameter, ...]:
-    """The numbers that a set rests on, those of its base first, each by set and quantity.
+    """All numbers behind a set, those of its base first, each by set and quantity.
 
     Raises ValueError for an unknown name (lists the known ones).
     """
@@ -183,8 +174,7 @@ def sleeper_track(name: str) -> SleeperTrack:
     Raises
     ------
     ValueError
-        Unknown name (lists the known ones); a number that no such track has, or has in another unit, and one
-        that is missing.
+        Unknown name (lists the known ones); an unknown number, one in another unit, or a missing one.
     """
     own = _set(name)
     values = dict(vars(sleeper_track(own.texts["based_on"]))) if "based_on" in own.texts else {}

@@ -12,22 +12,22 @@ s = 0, d, 2d, ..., to its first harmonic,
     C(s) = C - eps / k_pad cos(2 pi s / d),   by   k_pad(s) = k_pad / (1 - eps cos(2 pi s / d))           (1)
 
 with the amplitude eps from the beam on its supports (`track.support.flexibility`). Over point supports the
-beam's compliance has a corner; its second harmonic is a fifth of the first (laterally a tenth). It is left
-out: real pads are as long as a quarter of the spacing, and at 60 km/h it lies at 56 Hz, where the lumped
+beam's compliance has a corner; its second harmonic is a fifth of the first (laterally a tenth). It is
+omitted: real pads are as long as a quarter of the spacing, and at 60 km/h it lies at 56 Hz, where the lumped
 track is not valid.
 
-The wheel runs along on this deflection, so that it is partly motion of the rail's material and partly its
-shape, travelled over. With G(x, s) the deflection at x under a unit load at s, G(x, s) = G(s, x) (Maxwell
+The wheel travels with this deflection: its change is partly motion of the rail's material, partly the slope
+of the deflected rail. With G(x, s) the deflection at x under a unit load at s, G(x, s) = G(s, x) (Maxwell
 and Betti), both parts of the derivative of C(s) = G(s, s) are alike: a force F gives the rail the slope
 
     F C'(s) / 2 = u/2 d/ds ln(C of the pad),    u the pad's deflection,                                 (2)
 
-(`rail_shift`) and its material below the wheel moves by that much less. On this slope the contact force has
-a longitudinal part, by which the train pays for the work that passing sleepers do on the track.
+(`rail_shift`), and the motion of the material is less by that share. On this slope the contact force has a
+longitudinal component, through which the train does the work that passing sleepers do on the track.
 """
 
 import math
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -35,13 +35,14 @@ from numpy.typing import NDArray
 
 from hh_exudyn.kernel import inlined_kernel, kernel
 from track.course.rail_frame import RailShift
+from track.support.numbers import check_numbers
 
 DOFS = ("y_left", "z_left", "y_right", "z_right", "y_sleeper", "z_sleeper", "roll_sleeper")
-_MAY_VANISH = ("passing_lateral", "passing_vertical")  # and stay below 1, or a pad would get no stiffness
+_MAY_VANISH = ("passing_lateral", "passing_vertical")  # from 0 to below 1: equation 1 divides by 1 - eps
 
 
 class TrackParameters(NamedTuple):
-    """Springs and dampers of one wheelset's track, as the kernel takes them. SI units."""
+    """Springs and dampers of one wheelset's track, for the kernels. SI units."""
 
     pad_stiffness_lateral: float
     pad_stiffness_vertical: float
@@ -60,7 +61,15 @@ class TrackParameters(NamedTuple):
 
 @inlined_kernel
 def rail_shift(parameters: TrackParameters, s: float, side: int, q: NDArray[np.float64]) -> RailShift:
-    """Deflection of a rail (side 0 left, 1 right) and its slopes by equation (2), for q of `track_forces`."""
+    """Deflection of a rail (side 0 left, 1 right) and its slopes by equation (2), for q of `track_forces`.
+
+    Parameters
+    ----------
+    parameters : springs and dampers
+    s : arc length of the wheelset along the track [m]
+    side : 0 left, 1 right
+    q : (7,) displacements [m, rad] in the order of `DOFS`
+    """
     p = parameters
     phase = 2.0 * math.pi * s / p.sleeper_spacing
     wave = math.cos(phase)
@@ -143,7 +152,7 @@ class TrackFlexibility:
 
     Vertical ballast springs stand at +-`ballast_spacing_half`, the pads at +-`rail_spacing_half`. The sleeper
     has two masses because a wheelset moves more of the track vertically than laterally. `passing_lateral` and
-    `passing_vertical` are eps of equation (1); 0 leaves out the passing of sleepers.
+    `passing_vertical` are eps of equation (1), 0 for constant stiffness along the track.
 
     Raises ValueError for a value that is not positive and finite (passing: not from 0 to below 1).
     """
@@ -168,18 +177,10 @@ class TrackFlexibility:
     passing_vertical: float
 
     def __post_init__(self) -> None:
-        for item in fields(self):
-            value = getattr(self, item.name)
-            if item.name in _MAY_VANISH:
-                if not 0.0 <= value < 1.0:
-                    name = f"{item.name} of TrackFlexibility"
-                    raise ValueError(f"{name} is {value}, it must be from 0 to below 1")
-            elif not 0.0 < value < math.inf:
-                name = f"{item.name} of TrackFlexibility"
-                raise ValueError(f"{name} is {value} {_unit(item.name)}, it must be positive and finite")
+        check_numbers(self, shares=_MAY_VANISH)
 
     def evenly_supported(self) -> "TrackFlexibility":
-        """The same track without the passing of sleepers."""
+        """The same track with constant stiffness along it."""
         return replace(self, passing_lateral=0.0, passing_vertical=0.0)
 
     def parameters(self) -> TrackParameters:
@@ -209,7 +210,13 @@ class TrackFlexibility:
         return stiffness, damping
 
     def receptance(self, frequency: float, s: float | None = None) -> NDArray[np.complex128]:
-        """(7, 7) displacements per unit force at a frequency [Hz], >= 0; s as in `matrices`. Static at 0."""
+        """(7, 7) displacements per unit force at a frequency [Hz], >= 0; s as in `matrices`. Static at 0.
+
+        Parameters
+        ----------
+        frequency : [Hz], >= 0
+        s : arc length as in `matrices` [m]
+        """
         if not 0.0 <= frequency < math.inf:
             raise ValueError(f"frequency is {frequency} Hz, it must be >= 0 and finite")
         stiffness, damping = self.matrices(s)
@@ -231,14 +238,12 @@ class TrackFlexibility:
         return np.abs(roots) / (2.0 * math.pi), -roots.real / np.abs(roots)
 
     def static_deflection(self, load: float, s: float | None = None) -> float:
-        """Deflection of both rails [m] under a vertical load per wheel [N] on both; s as in `matrices`."""
+        """Deflection of both rails [m] under a vertical load per wheel [N] on both; s as in `matrices`.
+
+        Parameters
+        ----------
+        load : vertical force of each wheel [N]
+        s : arc length as in `matrices` [m]
+        """
         stiffness, _ = self.matrices(s)
         return -float(np.linalg.solve(stiffness, [0.0, -load, 0.0, -load, 0.0, 0.0, 0.0])[1])
-
-
-def _unit(name: str) -> str:
-    """SI unit of a field, from its name."""
-    for part, unit in (("stiffness", "N/m"), ("damping", "N s/m"), ("inertia", "kg m2"), ("mass", "kg")):
-        if part in name:
-            return unit
-    return "m"

@@ -2,9 +2,9 @@
 
 =====================  ===============================================================================
 `wagon`                LKAB's iron-ore wagon, one unit or the pair with drawbar
-`three_piece_bogie`    its bogie: bolster, side frames, wheelsets and what couples them
+`three_piece_bogie`    its bogie: bolster, side frames, wheelsets and their couplings
 `locomotive`           LKAB's IORE locomotive: six driven wheelsets with nose-suspended motors
-`parts`                what the builders share: both sides, parts filled from their parameters
+`parts`                common functions of the builders: inertia, couplings filled from parameters
 `suspended_wheelset`   reference: the smallest model that hunts, with its closed form
 `cooperrider`          reference: Cooperrider's bogie
 `manchester`           reference: vehicle 1 of the Manchester benchmarks

@@ -11,10 +11,10 @@ from vehicles.record import VehicleRecord
 
 
 def cooperrider_bogie(name: str, p: ParameterSet) -> Vehicle:
-    """The bogie as its parameter file has it; the car body weighs nothing, as in the linear model.
+    """The bogie of the parameter file; the car body has no weight, as in the linear model.
 
-    The frame's weight is left to the wheelsets: a sprung load would add to roll and sway what the seven
-    equations leave out.
+    The frame's weight is added to the wheelsets: a sprung load would add terms to roll and sway that the
+    seven equations lack.
     """
     radius = p["wheelset.radius"]
     height = radius + p["primary.drop"]

@@ -14,11 +14,11 @@ from vehicles.models.parts import SIDES, in_directions, principal_inertia
 from vehicles.record import VehicleRecord
 from vehicles.traction.effort import TractionEquipment
 
-_PRIMARY_DEFLECTION = 0.04  # m, where the equilibrium is looked for
+_PRIMARY_DEFLECTION = 0.04  # m, first guess of the equilibrium
 
 
 def iore_locomotive(name: str, p: ParameterSet) -> Vehicle:
-    """One unit, leading bogie first; its motors stand towards the middle of each bogie but the middle one."""
+    """One unit, leading bogie first; motors stand on the sides of their axles that `_motor_side` gives."""
     half = p["locomotive.bogie_distance"] / 2
     equipment = TractionEquipment(
         starting_effort=p["traction.starting_effort"],
@@ -77,7 +77,7 @@ def _axle_place(p: ParameterSet, axle: int, middle: float) -> float:
 
 
 def _motor_side(bogie: int, axle: int) -> int:
-    """+1: the motor is ahead of its axle. All three of a bogie point to the middle of the locomotive but one.
+    """Side of the motor: +1 ahead of its axle, -1 behind it.
 
     The motors of the outer axles lie inside the wheelbase, that of the middle axle on the side of the
     locomotive's middle, so that both bogies are mirror images of each other.
@@ -114,8 +114,8 @@ def _bogie_frame(p: ParameterSet, bogie: int, middle: float) -> Body:
 def _wheelset(p: ParameterSet, bogie: int, axle: int, middle: float, equipment: TractionEquipment) -> Body:
     """Its spin inertia has that of the motor's rotor in it, as the gear reflects it.
 
-    Gyroscopically the rotor turns the other way and 1/ratio as strongly: the little moments of a wheelset
-    that spins and yaws are overestimated by that.
+    For gyroscopic moments the rotor counts with the opposite sign and 1/ratio of that: these small moments of
+    a wheelset that spins and yaws are overestimated.
     """
     return Body(
         _named((bogie, axle)),

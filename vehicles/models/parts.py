@@ -1,4 +1,4 @@
-"""What the builders of vehicles share: both sides, and parts filled from the parameters of their name."""
+"""Common parts of the builders of vehicles: both sides, couplings filled from parameters by name."""
 
 from dataclasses import fields
 from typing import Any, TypeVar
@@ -12,12 +12,25 @@ _Part = TypeVar("_Part")
 
 
 def principal_inertia(p: ParameterSet, part: str) -> Vector:
-    """Moments of inertia about x, y and z [kg m^2]: the part's roll, pitch and yaw inertia."""
+    """Moments of inertia about x, y and z [kg m^2]: the part's roll, pitch and yaw inertia.
+
+    Parameters
+    ----------
+    p : parameters of the vehicle
+    part : name of a part in them
+    """
     return p[f"{part}.roll_inertia"], p[f"{part}.pitch_inertia"], p[f"{part}.yaw_inertia"]
 
 
 def in_directions(p: ParameterSet, part: str, quantity: str) -> Vector:
-    """A part's longitudinal, lateral and vertical stiffness or damping, in the units of the file."""
+    """A part's longitudinal, lateral and vertical stiffness or damping, in the units of the file.
+
+    Parameters
+    ----------
+    p : parameters of the vehicle
+    part : name of a part in them
+    quantity : "stiffness" or "damping"
+    """
     along, across, down = (p[f"{part}.{axis}_{quantity}"] for axis in ("longitudinal", "lateral", "vertical"))
     return along, across, down
 
@@ -26,6 +39,13 @@ def filled(kind: type[_Part], p: ParameterSet, part: str, **given: Any) -> _Part
     """A coupling: every field that is not given is the part's parameter of the field's name.
 
     Raises KeyError for a field that neither has.
+
+    Parameters
+    ----------
+    kind : class of the coupling
+    p : parameters of the vehicle
+    part : name of a part in them
+    given : values of fields that are not parameters
     """
     numbers = {field.name: p[f"{part}.{field.name}"] for field in fields(kind) if field.name not in given}  # type: ignore[arg-type]
     return kind(**given, **numbers)

@@ -11,10 +11,10 @@ from vehicles.couplings import AxleBoxPad
 from vehicles.description import Body, Coupler, GivenContact, Vehicle, Wheelset
 from vehicles.record import VehicleRecord
 
-HELD_MASS = 1e8  # kg, of a body that the forces of a vehicle shall not move
-_REAL = 1e-9  # of its modulus, that the imaginary part of a root may have that counts as real
-_VANISHES = 1e-24  # of the largest coefficient: one of V^4 or V^6 below it makes no root below 1e4 m/s
-_TRAIN_STIFFNESS, _TRAIN_DAMPING = 1e6, 1e6  # N/m, N s/m: nothing on `HELD_MASS`, which keeps its speed
+HELD_MASS = 1e8  # kg, of a body in straight motion, practically unmoved by the forces of a vehicle
+_REAL = 1e-9  # largest imaginary part over modulus of a root that counts as real
+_VANISHES = 1e-24  # of the largest coefficient: smaller ones of V^4, V^6 have their roots above 1e4 m/s
+_TRAIN_STIFFNESS, _TRAIN_DAMPING = 1e6, 1e6  # N/m, N s/m: negligible for `HELD_MASS`
 
 
 def suspended_wheelset(name: str, p: ParameterSet) -> Vehicle:
@@ -47,12 +47,25 @@ def suspended_wheelset(name: str, p: ParameterSet) -> Vehicle:
 
 
 def held_body(name: str, kind: str, position: tuple[float, float, float], weight: float) -> Body:
-    """A body in straight motion at constant speed, with its weight on its couplings [N]."""
+    """A body in straight motion at constant speed, with its weight on its couplings [N].
+
+    Parameters
+    ----------
+    name, kind : of the body
+    position : of its centre of mass on the drawing [m]
+    weight : carried by its couplings [N]
+    """
     return Body(name, kind, HELD_MASS, (HELD_MASS, HELD_MASS, HELD_MASS), position, held_weight=weight)
 
 
 def towed(body: str, centre: tuple[float, float, float]) -> Coupler:
-    """A train of nearly no force: the mass of a held body maintains its speed."""
+    """A train of nearly no force: the mass of a held body maintains its speed.
+
+    Parameters
+    ----------
+    body : name of the held body
+    centre : its centre of mass on the drawing [m]
+    """
     return Coupler((body,), (centre,), _TRAIN_STIFFNESS, _TRAIN_DAMPING)
 
 
@@ -81,10 +94,10 @@ def critical_speed_closed_form(
 ) -> tuple[float, float]:
     """Critical speed and frequency of a suspended wheelset of two degrees of freedom.
 
-    Cones roll the wheelset: e = `roll` for every metre to the left, so that the contacts move by k = 1 + r0 e
-    of what the axle does, and the spin (inertia J) ties yaw to lateral motion by g = e J V/r0. With the creep
-    coefficients f11, f22 of one wheel, half distance a of the contacts and conicity c (change of rolling
-    radius over displacement of the axle),
+    On cones the wheelset rolls by e = `roll` per metre to the left, so the contacts move k = 1 + r0 e times
+    as far as the axle, and the spin (inertia J) couples yaw and lateral motion by g = e J V/r0. With the
+    creep coefficients f11, f22 of one wheel, half distance a of the contacts and conicity c (change of
+    rolling radius over displacement of the axle),
 
         (m + I e^2) y'' + (2 f22 k^2/V) y'   + k_y y     - 2 f22 k psi - g psi'      = 0,
         I psi''         + (2 f11 a^2/V) psi' + k_psi psi + (2 f11 a c/r0) y + g y'   = 0.
@@ -98,8 +111,9 @@ def critical_speed_closed_form(
 
         V^2 [(k_y - (m + I e^2) w^2)(k_psi - I w^2) + c1 p] - c1 k c2 w^2 - h^2 V^4 w^2 = 0.
 
-    Own derivation; for e = 0 the classical one (Wickens 2003, chapter 5, from memory), linear in V^2. Its
-    eleven arguments are the symbols of the equations.
+    Own derivation; for e = 0 the classical one (Wickens 2003, chapter 5, from memory), linear in V^2.
+
+    Eleven arguments: each is a symbol of the equations.
 
     Parameters
     ----------
@@ -149,10 +163,16 @@ def critical_speed_closed_form(
 
 
 def _smallest_positive_root(polynomial: Polynomial) -> float:
-    """Of its real roots; infinite where none is positive."""
-    roots = polynomial.trim(_VANISHES * np.abs(polynomial.coef).max()).roots()
-    real = roots.real[np.abs(roots.imag) < _REAL * np.abs(roots)]
-    return float(min(real[real > 0.0], default=math.inf))
+    """Of its real roots; infinite where none is positive. Its constant term is not zero.
+
+    It is one over the largest root of the polynomial with the coefficients in reverse: the eigenvalues that
+    make the roots are exact to the largest one, and roots of V^2 may be twenty orders of magnitude apart.
+    """
+    trimmed = polynomial.trim(_VANISHES * np.abs(polynomial.coef).max())
+    inverse = Polynomial(trimmed.coef[::-1]).roots()
+    real = inverse.real[np.abs(inverse.imag) < _REAL * np.abs(inverse)]
+    largest = max(real, default=0.0)
+    return float(1.0 / largest) if largest > 0.0 else math.inf
 
 
 def _require_not_negative(*numbers: tuple[str, float, str]) -> None:

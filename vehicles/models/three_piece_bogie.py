@@ -1,4 +1,4 @@
-"""The three-piece bogie: bolster, two side frames, two wheelsets and what couples them."""
+"""The three-piece bogie: bolster, two side frames, two wheelsets and their couplings."""
 
 import math
 
@@ -7,7 +7,7 @@ from vehicles.couplings import AxleBox, CentrePlate, Coupling, SideBearer, Sprin
 from vehicles.description import Body, BrakeShoe, Wheelset
 from vehicles.models.parts import SIDES, filled, in_directions, principal_inertia
 
-SPRING_DEFLECTION = 0.03  # m, between empty and loaded: where the equilibrium is looked for
+SPRING_DEFLECTION = 0.03  # m, between empty and loaded: first guess of the equilibrium
 PAD_DEFLECTION = 1e-3
 
 
@@ -47,12 +47,26 @@ def bogie_bodies(p: ParameterSet, number: int, middle: float) -> tuple[Body, ...
 
 
 def wheelset_name(bogie: int, end: int) -> str:
-    """Name of a bogie's leading (end +1) or trailing (-1) wheelset; they count from 1 at the front."""
+    """Name of a bogie's leading (end +1) or trailing (-1) wheelset; they count from 1 at the front.
+
+    Parameters
+    ----------
+    bogie : number, 1 leading
+    end : +1 leading, -1 trailing wheelset
+    """
     return f"wheelset_{2 * bogie - (1 if end > 0 else 0)}"
 
 
 def bogie_wheelsets(p: ParameterSet, number: int, unit: int, of_unit: int) -> tuple[Wheelset, ...]:
-    """The two wheelsets of a bogie, leading first: the bogie `of_unit` of a unit, from 1."""
+    """The two wheelsets of a bogie, leading first: the bogie `of_unit` of a unit, from 1.
+
+    Parameters
+    ----------
+    p : parameters of the wagon
+    number : of the bogie in the vehicle, 1 leading
+    unit : number of the unit
+    of_unit : number of the bogie in its unit
+    """
     return tuple(Wheelset(wheelset_name(number, end), of_unit, p["wheelset.radius"], unit) for end in (1, -1))
 
 
@@ -61,6 +75,12 @@ def bogie_shoes(p: ParameterSet, number: int, middle: float) -> tuple[BrakeShoe,
 
     The brake beams, on which the shoes sit, slide in the side frames and are spread against each other; so a
     side frame takes up the friction of its shoes, and their thrusts balance in it.
+
+    Parameters
+    ----------
+    p : parameters of the wagon
+    number : of the bogie in the vehicle, 1 leading
+    middle : x of the bogie's middle on the drawing [m]
     """
     shoes = []
     for end in (1, -1):
@@ -73,7 +93,15 @@ def bogie_shoes(p: ParameterSet, number: int, middle: float) -> tuple[BrakeShoe,
 
 
 def bogie_couplings(p: ParameterSet, number: int, middle: float, car_body: str) -> tuple[Coupling, ...]:
-    """Everything between the wheelsets and the car body at bogie `number`."""
+    """Everything between the wheelsets and the car body at bogie `number`.
+
+    Parameters
+    ----------
+    p : parameters of the wagon
+    number : of the bogie in the vehicle, 1 leading
+    middle : x of the bogie's middle on the drawing [m]
+    car_body : name of the car body
+    """
     couplings: list[Coupling] = []
     bolster = f"bolster_{number}"
     for side, letter in SIDES:

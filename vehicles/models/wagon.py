@@ -31,6 +31,12 @@ def ore_wagon(name: str, p: ParameterSet, payload: float) -> Vehicle:
     """One unit with a payload of ore [kg] (0 for the empty wagon), leading bogie first.
 
     Raises ValueError for a payload below zero or above the wagon's 102 t (thesis Table 1-1).
+
+    Parameters
+    ----------
+    name : of the vehicle
+    p : parameters of the wagon
+    payload : mass of the ore [kg]
     """
     unit = _unit(name, p, payload, "car_body", 1, 0.0)
     return _vehicle(name, p, payload, (unit,), ())
@@ -43,6 +49,12 @@ def ore_wagon_pair(name: str, p: ParameterSet, payload: float) -> Vehicle:
     in the logs; the bodies are numbered through, ``wheelset_1`` to ``wheelset_8``.
 
     Raises ValueError as `ore_wagon`.
+
+    Parameters
+    ----------
+    name : of the vehicle
+    p : parameters of wagon and drawbar
+    payload : mass of the ore in each unit [kg]
     """
     half = p["wagon.length"] / 2
     units = tuple(

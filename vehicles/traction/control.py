@@ -1,4 +1,4 @@
-"""Measurements and actuators of a controller: the border between control laws and dynamics.
+"""Measurements and actuators of a controller: the interface of control laws and dynamics.
 
 A controller is called at its own sample time with a `Measurement`, and writes `Actuators`, which act
 unchanged until the next sample.

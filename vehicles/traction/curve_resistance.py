@@ -1,8 +1,8 @@
-"""What curves take from the wagons of a train: Roeckl's formula, or what this toolkit's own wagon needs.
+"""Curve resistance of the wagons of a train: after Roeckl, or as simulated with this toolkit's wagon.
 
 Numbers and sources: ``data/curve_resistance.toml``. At R 450 m Roeckl says 1.65 per mille of the weight, 2.7
 times the 0.61 of the loaded ore wagon as it is simulated on dry, unworn rails. Roeckl's is of old stock, but
-near to what is used for three-piece wagons on worn rails: the safer number for what a locomotive can haul.
+near to figures in use for three-piece wagons on worn rails: the safer one for the load of a locomotive.
 """
 
 import numpy as np
@@ -21,7 +21,7 @@ def curve_resistance(kind: str, curvature: FloatArray, axle_load: float) -> Floa
     ----------
     kind : one of `CURVE_RESISTANCES`
     curvature : [1/m], of either sign
-    axle_load : of the wagons [t]; Roeckl's formula knows none
+    axle_load : of the wagons [t]; without influence in Roeckl's formula
 
     Raises
     ------
@@ -39,7 +39,7 @@ def curve_resistance(kind: str, curvature: FloatArray, axle_load: float) -> Floa
 
 
 def source(kind: str) -> str:
-    """How the numbers of a kind are known, for people."""
+    """Source of the numbers of a kind, in words."""
     if kind == "none":
         return "none"
     first = "roeckl.main_line.numerator" if kind == "roeckl" else "simulated.loaded.axle_load"
@@ -47,7 +47,7 @@ def source(kind: str) -> str:
 
 
 def _roeckl(bent: FloatArray) -> FloatArray:
-    """a/(R - b) = a k/(1 - b k), with other numbers in tight curves, none of which counts as below 100 m."""
+    """a/(R - b) = a k/(1 - b k), with other numbers in tight curves; radii below 100 m count as 100 m."""
     n = _NUMBERS
     bent = np.minimum(bent, 1.0 / n["roeckl.tight.from"])
     wide = bent * n["roeckl.main_line.from"] <= 1.0
@@ -64,7 +64,7 @@ def _simulated(bent: FloatArray, axle_load: float) -> FloatArray:
 
 
 def _of_table(load: str, bent: FloatArray) -> FloatArray:
-    """By the curvature, from nothing on the straight; beyond the tightest radius in proportion."""
+    """Interpolated over the curvature, zero on the straight; proportional to it beyond the tightest curve."""
     radius, per_mille = (_column(f"simulated.{load}.{name}") for name in ("radius", "resistance"))
     within = np.interp(bent, np.append(0.0, 1.0 / radius[::-1]), np.append(0.0, per_mille[::-1]))
     return 1e-3 * np.where(bent * radius[0] > 1.0, per_mille[0] * radius[0] * bent, within)

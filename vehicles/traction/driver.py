@@ -1,4 +1,4 @@
-"""The driver of a train: speed control within what drives and adhesion give, and the train behind them."""
+"""The driver of a train: speed control within the limits of drives and adhesion, and the train behind."""
 
 from dataclasses import dataclass, field
 
@@ -31,7 +31,7 @@ class DriverOrders:
 
 @dataclass(frozen=True)
 class DrivenUnit:
-    """The simulated locomotive as its driver sees it."""
+    """Data of the simulated locomotive that its driver uses."""
 
     mass: float  # [kg]
     axles: int
@@ -51,12 +51,21 @@ class DrivenUnit:
 class Driver:
     """Controls torques and train from sample to sample; a `control.Controller`.
 
-    All units are asked for the same effort. Those behind the simulated one are part of the train: a mass with
-    an effort. The train moves by the symplectic Euler method with the coupler force of the last sample.
+    All units have the same demand of effort. Those behind the simulated one are part of the train: a mass
+    with an effort. The train moves by the symplectic Euler method with the coupler force of the last sample.
+
+    Parameters
+    ----------
+    unit : the simulated locomotive
+    train : the train behind it
+    orders : of the driver
+    speed : at the start [m/s]
+    head : arc length of the train's front coupler at the start [m]
+    grade : sine of the slope under the unit at the start [-]
 
     Attributes
     ----------
-    demand : effort asked of each unit, before slip control [N]
+    demand : effort demanded of each unit, before slip control [N]
     """
 
     def __init__(

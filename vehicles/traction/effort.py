@@ -61,8 +61,8 @@ class SpeedControl:
     """PID control of the speed of a mass: the effort of all units together, within its bounds.
 
     M v' = F - D and F = P e + I int e dt - D v' give poles of frequency w and damping z where P = 2 z w M,
-    I = w^2 M (with M the mass and what the derivative adds). The integral stops where the effort meets a
-    bound, so that it does not wind up. `effort` starts as the effort that balances the train.
+    I = w^2 M (with M the mass and the inertia added by the derivative). The integral stops where the effort
+    meets a bound, so that it does not wind up. `effort` starts as the effort that balances the train.
     """
 
     def __init__(self, set_speed: float, mass: float, effort: float, gains: SpeedControlGains) -> None:
@@ -76,7 +76,15 @@ class SpeedControl:
         self._speed: float | None = None
 
     def step(self, speed: float, least: float, most: float, rate: float, interval: float) -> float:
-        """Effort [N] for the next interval [s], between `least` and `most` [N], at `rate` [N/s] at most."""
+        """Effort [N] for the next interval [s], between `least` and `most` [N], at `rate` [N/s] at most.
+
+        Parameters
+        ----------
+        speed : of the vehicle [m/s]
+        least, most : bounds of the effort [N]
+        rate : largest rate of change of the effort [N/s]
+        interval : until the next sample [s]
+        """
         change = 0.0 if self._speed is None else (speed - self._speed) / interval
         self._speed = speed
         error = self.set_speed - speed
@@ -94,7 +102,7 @@ class SpeedControl:
 
 @dataclass(frozen=True)
 class SlipLimits:
-    """When a wheelset counts as slipping, and the course of its torque after that."""
+    """Thresholds of slip detection, and the course of the torque after a detected slip."""
 
     creepage: float = 0.02  # of the speed
     least_slip: float = 0.15  # m/s, below it a slip counts as measuring error
@@ -105,11 +113,11 @@ class SlipLimits:
 
 
 class SlipControl:
-    """Share of the demanded torque that each axle is given, from the speeds of its wheels.
+    """Share of the demanded torque for each axle, from the speeds of its wheels.
 
     Detected from the slip, and from the acceleration of the tread before the slip has grown; in braking with
     the signs reversed (sliding). The torque of a wheelset that slips falls at once, is held, and comes back
-    slowly: the axle hunts for the adhesion there is.
+    slowly: a search for the available adhesion.
     """
 
     def __init__(self, axles: int, limits: SlipLimits) -> None:
@@ -144,11 +152,18 @@ class SlipControl:
 
 
 class OverSlip:
-    """Extra torque that holds each driven wheelset at a wanted slip dv, to clean rails or to wear off cracks.
+    """Extra torque for a wanted slip dv of each driven wheelset, to clean rails or to wear off cracks.
 
     Hossein-Nia (2018), chapter 5: over-slip by "an extra torque to the driven loco wheels". A PI control of
-    the slip velocity; `inertia` is that of a wheelset's spin with its rotor, the only resistance of a
-    wheel under saturated creep force.
+    the slip velocity.
+
+    Parameters
+    ----------
+    creepage : wanted, dv over the speed [-]
+    radius : of the wheels [m]
+    inertia : of a wheelset's spin with its rotor [kg m^2], the only resistance of a wheel under saturated
+        creep force
+    torques : (axles,) at the start [N m]
     """
 
     TIME_CONSTANT = 0.10  # s, of the slip under saturated friction
@@ -162,7 +177,14 @@ class OverSlip:
     def step(
         self, wheel_speeds: FloatArray, speeds: FloatArray, largest: float, interval: float
     ) -> FloatArray:
-        """Torques [N m] for the next interval [s], each within `largest` [N m] of zero."""
+        """Torques [N m] for the next interval [s], each within `largest` [N m] of zero.
+
+        Parameters
+        ----------
+        wheel_speeds, speeds : (axles,) spin times rolling radius, and true forward speed [m/s]
+        largest : largest torque of either sign [N m]
+        interval : until the next sample [s]
+        """
         error = (1.0 + self._creepage) * speeds - wheel_speeds
         self._held = np.clip(self._held + self._gain / self.RESET_TIME * error * interval, -largest, largest)
         return np.clip(self._held + self._gain * error, -largest, largest)

@@ -49,8 +49,8 @@ def locomotive_resistance(speed: float) -> float:
 class TrailingTrain:
     """Further locomotives and wagons behind the vehicle that is simulated.
 
-    `grade` and `curvature` give the sine of the slope and the curvature [1/m] at arc lengths [m]. In curves
-    the locomotives resist as by Roeckl whatever the wagons do, or not at all where these do not.
+    `grade` and `curvature` give the sine of the slope and the curvature [1/m] at arc lengths [m]. The
+    locomotives' curve resistance is Roeckl's whatever the wagons have, or none where the wagons have none.
     """
 
     locomotives: int  # behind the simulated one
@@ -65,12 +65,12 @@ class TrailingTrain:
 
     @property
     def mass(self) -> float:
-        """[kg]"""
+        """Mass of the train [kg]."""
         return self.locomotives * self.locomotive_mass + self.wagons * self.wagon_mass
 
     @property
     def length(self) -> float:
-        """[m]"""
+        """Length of the train [m]."""
         return self.locomotives * self.locomotive_length + self.wagons * self.wagon_length
 
     def places(self, head: float) -> FloatArray:
@@ -81,7 +81,13 @@ class TrailingTrain:
         return np.asarray(head - np.cumsum(lengths) + 0.5 * lengths)
 
     def resisting_force(self, head: float, speed: float) -> float:
-        """Resistance of rolling and of curves, and the downhill force: against forward motion [N]."""
+        """Resistance of rolling and of curves, and the downhill force: against forward motion [N].
+
+        Parameters
+        ----------
+        head : arc length of the train's front coupler [m]
+        speed : of the train [m/s]
+        """
         masses = np.repeat([self.locomotive_mass, self.wagon_mass], [self.locomotives, self.wagons])
         places = self.places(head)
         axle_load = self.wagon_mass / 4e3

@@ -202,12 +202,7 @@ def wheelset_functions(
     roll : FloatArray, float or None
         None: the roll at which both wheels touch. Otherwise given, (n,) or one for all [rad], -0.1 .. 0.1.
     smoothing : float
-        Length over which the profiles' curvature is blurred (`spline.spline_table`) [m].
-
-    Raises
-    ------
-    ValueError
-        A profile of the wrong kind or a number out of its range.
+        As for `contact_functions`, and so are the errors.
     """
     displacements = _displacements(lateral)
     _check_lengths(gauge, tape_distance, radius_left, radius_right)

@@ -18,27 +18,9 @@ from hh_exudyn.contact.geometry.conicity import conicity_from_radius_difference
 from hh_exudyn.contact.geometry.contact_geometry import (
     MAX_LATERAL,
     SMOOTHING,
-    TAPE_DISTANCE,
-    ContactFunctions,
-    WheelsetFunctions,
-    contact_functions,
     wheelset_functions,
 )
 from hh_exudyn.contact.profile import Profile
-
-__all__ = [
-    "CONICITY_STEP",
-    "SMOOTHING",
-    "TAPE_DISTANCE",
-    "ContactFunctions",
-    "WheelsetFunctions",
-    "conicity_from_radius_difference",
-    "contact_functions",
-    "contiguous",
-    "equivalent_conicity",
-    "rolling_radius_difference",
-    "wheelset_functions",
-]
 
 CONICITY_STEP = 0.02e-3  # m, of the displacements that conicity is computed from
 
@@ -59,9 +41,10 @@ def rolling_radius_difference(
 ) -> FloatArray:
     """Rolling radius difference r_left - r_right over the lateral displacement [m], the EN 15302 function.
 
-    Positive at a positive displacement (to the left) steers back. Its eleven arguments and
-    its errors are those of `wheelset_functions`; but the default of the roll is 0, as in EN 15302's
-    reference results.
+    Positive at a positive displacement (to the left) steers back.
+
+    Eleven arguments: those of `wheelset_functions`, and so are the errors; but the default of the roll is 0,
+    as in EN 15302's reference results.
     """
     return wheelset_functions(
         wheel_left,
@@ -94,7 +77,7 @@ def equivalent_conicity(
 ) -> FloatArray:
     """Equivalent conicity after EN 15302 at the given amplitudes [-].
 
-    Eleven arguments, for the reason of `wheelset_functions`.
+    Eleven arguments: those of `rolling_radius_difference`, with amplitudes for displacements.
 
     Parameters
     ----------

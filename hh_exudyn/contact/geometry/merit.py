@@ -10,15 +10,13 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.conicity import conicity_from_radius_difference
-from hh_exudyn.contact.geometry.functions import (
-    CONICITY_STEP,
+from hh_exudyn.contact.geometry.contact_geometry import (
     SMOOTHING,
     TAPE_DISTANCE,
     WheelsetFunctions,
-    contiguous,
-    equivalent_conicity,
     wheelset_functions,
 )
+from hh_exudyn.contact.geometry.functions import CONICITY_STEP, contiguous, equivalent_conicity
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import NOMINAL_GAUGE
 
@@ -105,8 +103,8 @@ def gauge_sensitivity(
 ) -> FloatArray:
     """Equivalent conicity at one amplitude over the track gauge [-].
 
-    Nine arguments, NaN and errors as `functions.equivalent_conicity`, with one wheel radius [m], one
-    amplitude [m] and (n,) gauges [m]; the result is (n,).
+    Nine arguments: those of `functions.equivalent_conicity`, and so are NaN and errors, with one wheel radius
+    [m], one amplitude [m] and (n,) gauges [m]; the result is (n,).
     """
     return np.array(
         [
@@ -192,7 +190,7 @@ def conicity_report(
 ) -> ConicityReport:
     """Conicity, flange clearance and nonlinearity of a pair (or two pairs) of profiles at one gauge.
 
-    Nine arguments, for the reason of `functions.wheelset_functions`.
+    Nine arguments: four profiles, and by keyword the lengths that callers vary one by one.
 
     Parameters
     ----------

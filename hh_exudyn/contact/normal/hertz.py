@@ -36,6 +36,8 @@ _INTERVALS = 256
 class HertzPatch:
     """An elliptic contact patch.
 
+    Hertz's result for two elastic bodies of constant curvatures, pressed together.
+
     Attributes
     ----------
     a, b : float

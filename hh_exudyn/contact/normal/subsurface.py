@@ -87,7 +87,9 @@ class SubsurfaceStress:
 def full_slip_stress(
     x: float, depth: float, half_length: float, max_pressure: float, max_traction: float
 ) -> tuple[float, float, float]:
-    """Stresses under p = p0 sqrt(1 - (x/a)^2) and q = q0 sqrt(1 - (x/a)^2) (kernel: trusts its input).
+    """Stresses under p = p0 sqrt(1 - (x/a)^2) and q = q0 sqrt(1 - (x/a)^2).
+
+    Kernel: trusts its input.
 
     Parameters
     ----------

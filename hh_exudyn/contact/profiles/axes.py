@@ -1,16 +1,17 @@
-"""The axes of a scanned wheel or rail: which way is up, where is the track centre, where is y = 0.
+"""The axes of a scanned wheel or rail: direction upwards, side of the track centre, origin.
 
-The axes of the formats stand in `formats`. How they become side coordinates (y towards the track
-centre, z up):
+The axes of the formats are described in `formats`. Rules of their conversion to side coordinates (y towards
+the track centre, z up):
 
-* Up: whatever protrudes over less than half the width (a wheel's flange, a rail's sides) points down.
-* A wheel's y: its flange tells the side. Its running circle is y = 0: the file's zero where the flange tip
-  lies 40 .. 68 mm from it; 70 mm from the file's zero where the tip lies 2 .. 35 mm from it, for such a file
-  counts from the flange back (MiniProf's habit; its X = 0 is a face that stands upright in the data). Any
-  other file needs the place of its flange back: `flange_back`.
-* A rail's y: if only one of its sides reaches 14 mm below the top, that is the gauge side. Else the format's
-  habit decides (two columns: +y is the gauge side; MiniProf: +X; SIMPACK: -y), which the file cannot prove:
-  `mirrored` turns it over. The lateral origin stays the file's own.
+* Up: a protrusion over less than half the width (a wheel's flange, a rail's sides) points down.
+* A wheel's y: given by the side of its flange. Its running circle is y = 0: the file's zero where the flange
+tip
+  lies 40 .. 68 mm from it; 70 mm from the file's zero where the tip lies 2 .. 35 mm from it, since the origin
+  of such a file is the flange back (usual for MiniProf; its X = 0 is an upright face in the data). Any other
+  file needs the position of its flange back: `flange_back`.
+* A rail's y: if only one of its sides reaches 14 mm below the top, that is the gauge side. Else it is the
+  usual one of the format (two columns: +y is the gauge side; MiniProf: +X; SIMPACK: -y), which cannot be
+  checked: `mirrored` is for the opposite. The lateral origin is that of the file.
 * Heights: z = 0 at a wheel's running circle or at a rail's highest point.
 """
 
@@ -30,16 +31,16 @@ _TIP_FROM_FLANGE_BACK = 2e-3, 35e-3  # m
 
 @dataclass(frozen=True)
 class TurnedPoints:
-    """A curve in side coordinates, from the field side on, and how it was turned.
+    """A curve in side coordinates, from the field side on, and its conversion.
 
     Attributes
     ----------
     y, z : FloatArray
-        Points [m]; z still counts from the file's zero.
+        Points [m]; z has the file's origin.
     mirrored, upside_down : bool
-        Whether y, z run against the file's.
+        Whether y, z are opposite to the file's.
     shift_y : float
-        Added to y after that [m].
+        Shift of y after that [m].
     """
 
     y: FloatArray
@@ -74,7 +75,7 @@ def side_coordinates(
     Raises
     ------
     ValueError
-        `mirrored` or `flange_back` where they make no sense; a wheel without a flange or of unknown origin.
+        `mirrored` for a wheel, or `flange_back` for a rail; a wheel without a flange or of unknown origin.
     """
     if mirrored and kind == "wheel":
         raise ValueError(f"wheel profile {path}: mirrored is for rails; a wheel's flange tells the side")
@@ -92,19 +93,31 @@ def side_coordinates(
 
 
 def _widths(y: FloatArray) -> FloatArray:
-    """The share of the lateral axis that each point stands for."""
+    """Width of the lateral axis assigned to each point."""
     return np.abs(np.gradient(y))
 
 
 def tread(y: FloatArray, z: FloatArray) -> float:
-    """Height of the tread or of a rail's running surface: half the profile's width lies above it [m]."""
+    """Height of the tread or of a rail's running surface: half the profile's width lies above it [m].
+
+    Parameters
+    ----------
+    y, z : FloatArray
+        (n,) points of the curve, z upwards [m].
+    """
     order = np.argsort(z)
     share = np.cumsum(_widths(y)[order])
     return float(z[order][np.searchsorted(share, 0.5 * share[-1])])
 
 
 def protrusion_is_down(y: FloatArray, z: FloatArray) -> bool:
-    """Whether the protrusion of the profile (flange, sides of a rail) has negative z."""
+    """Whether the protrusion of the profile (flange, sides of a rail) has negative z.
+
+    Parameters
+    ----------
+    y, z : FloatArray
+        (n,) points of the curve [m].
+    """
     return bool(np.sum((z - tread(y, z)) * _widths(y)) < 0.0)
 
 

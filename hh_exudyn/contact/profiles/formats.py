@@ -1,14 +1,14 @@
 """The text formats of profile files, recognised by their content: from characters to points.
 
-Each format has its own axes; the points stay in them here and `reader` turns them:
+Each format has its own axes, in which the points are read here; `reader` converts them by `axes`:
 
-* two columns: y and z; ours are side coordinates, see `reader`.
+* two columns: y and z in side coordinates, see `reader`.
 * SIMPACK prw/prr: y and z of a RIGHT wheel or rail, y outwards (away from the track centre), z DOWN, in the
   unit that ``units.len.f`` gives per metre, after the file's own shift, bounds and mirroring. A wheel's y is
   counted from its running circle (Manchester benchmark) or from its flange back (worn wheels of CONTACT).
 * MiniProf wheel: X from the flange back (X = 0) to the field side, Y towards the flange tip (UP in the plot);
-  1 mm of Y is 1 mm less radius. Found alike in "MINIPROF 2020" text and in "MiniProf for Windows" files,
-  where the file's own Sd, Sh and qR come out again with the running circle at X = 70 mm.
+  1 mm of Y is 1 mm less radius. The same in "MINIPROF 2020" text and in "MiniProf for Windows" files,
+  where the file's own Sd, Sh and qR are reproduced with the running circle at X = 70 mm.
 * MiniProf rail: X lateral, towards the gauge side, from a zero of the user's choice; Y upwards.
 """
 
@@ -41,13 +41,13 @@ class RawPoints:
     kind : str or None
         ``"wheel"`` or ``"rail"`` where the file says so.
     y, z : FloatArray
-        Lateral and vertical values in millimetres, as they stand (a SIMPACK file's own unit turned to mm).
+        Lateral and vertical values of the file in millimetres (a SIMPACK file's own unit converted).
     lines : list of int
         Line number of each point.
     header : dict
         The header, key to text.
     notes : tuple of str
-        Changes that the file itself asks for: shifts, bounds.
+        Changes prescribed by the file itself: shifts, bounds.
     """
 
     format: str
@@ -65,8 +65,8 @@ def read_points(path: Path) -> RawPoints:
     Raises
     ------
     ValueError
-        No such file, empty, binary, too large, cut off, or a line that cannot be understood; the message
-        names file, line and the expected form.
+        A missing, empty, binary, too large or truncated file, or a line of another form; the message names
+        file, line and the expected form.
     """
     text = _text(path).splitlines()
     filled = [line for line in text if line.strip()][:100]
@@ -108,7 +108,7 @@ def _numbers(path: Path, line: int, text: str, counts: range, expected: str) -> 
 def _points(
     path: Path, rows: list[tuple[int, str]], counts: range, columns: tuple[int, int], expected: str
 ) -> tuple[FloatArray, FloatArray, list[int]]:
-    """The two columns of the lines that are left of a file."""
+    """The two columns of the data lines of a file."""
     values = [_numbers(path, number, text, counts, expected) for number, text in rows]
     y = np.array([row[columns[0]] for row in values], dtype=np.float64)
     z = np.array([row[columns[1]] for row in values], dtype=np.float64)
@@ -143,7 +143,7 @@ def _miniprof_2020(path: Path, text: list[str]) -> RawPoints:
 
 
 def _miniprof(path: Path, text: list[str]) -> RawPoints:
-    """Lines ``key=value``, some in quotes, the later of two being right; then the columns of ColumnDef."""
+    """Lines ``key=value``, some in quotes, the last of equal keys valid; then the columns of ColumnDef."""
     header: dict[str, str] = {}
     rows = []
     for number, line in enumerate(text, start=1):
@@ -236,7 +236,7 @@ def _simpack(path: Path, text: list[str]) -> RawPoints:
     in_bounds = np.ones(len(y), dtype=bool)
     for values, axis in ((y, "y"), (z, "z")):
         low, high = number_of(f"bound.{axis}.min", 1.0), number_of(f"bound.{axis}.max", 0.0)
-        if low < high:  # the other way round they mean no bounds
+        if low < high:  # otherwise the file has no bounds
             in_bounds &= ~((values < low) | (values > high))
     if not in_bounds.all():
         notes.append(f"{np.count_nonzero(~in_bounds)} points outside the file's bounds")

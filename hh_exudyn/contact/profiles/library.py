@@ -45,8 +45,8 @@ def rail_profile(name: str, inclination: float = 1 / 30) -> Profile:
     """A standard rail, inclined towards the track centre.
 
     The whole head, flank to flank: at any allowed inclination both sides reach at least 15 mm below the top,
-    past the gauge point and past the steepest slope of a spline table (1:20 leaning 1:20 is upright, and
-    beyond that the profile ends where the flank does not go outwards any more).
+    beyond the gauge point and the steepest slope of a spline table (a flank of 1:20 inclined by 1:20 is
+    upright; with more inclination the profile ends where the flank turns inwards).
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def rail_profile(name: str, inclination: float = 1 / 30) -> Profile:
         `malmbanan`.
     inclination : float
         Tangent of the angle between the rail's axis of symmetry and the vertical, e.g. 1/30; positive
-        leans inwards (the head is rotated towards the track centre) [-]. Range -0.1 .. 0.1.
+        inwards (the head is rotated towards the track centre) [-]. Range -0.1 .. 0.1.
 
     Returns
     -------
@@ -78,7 +78,7 @@ def rail_profile(name: str, inclination: float = 1 / 30) -> Profile:
     angle = math.atan(inclination)
     leaning_y = y * math.cos(angle) + z * math.sin(angle)
     leaning_z = -y * math.sin(angle) + z * math.cos(angle)
-    # A flank that the inclination turns upright or beyond has no z(y): end at the first point that goes back.
+    # A flank turned upright or beyond by the inclination is no function z(y): end at the first step back.
     middle = len(y) // 2
     forward = np.diff(leaning_y) > _LEAST_STEP
     first = middle - int(np.argmin(np.append(forward[:middle][::-1], False)))

@@ -1,12 +1,12 @@
 """Stand-ins for the profiles of the Malmbanan line; the drawings are not public.
 
-EVERY NUMBER HERE IS ASSUMED, chosen so that what Hossein-Nia (thesis, KTH 2018, section 1.1.4 and Table 1-8)
-says of the profiles holds; nothing else is known of them. A wheel is a chain of arcs and straights with
-common tangents, as drawings are; a rail is a 60E1 with a gauge corner ground off by a smooth depth.
+EVERY NUMBER HERE IS ASSUMED, chosen so that the statements of Hossein-Nia (thesis, KTH 2018, section 1.1.4
+and Table 1-8) on the profiles hold; nothing else is known of them. A wheel is a chain of arcs and straights
+with common tangents, as drawings are; a rail is a 60E1 with a gauge corner ground off by a smooth depth.
 
 ==============  =======================================================================================
 ``WP4_like``    wagon wheel: flange 26.89 mm thick, 29.08 mm high, qR 10.07 mm (Table 1-8, new wheel)
-``WPL9_like``   locomotive wheel: nothing said but its name; the wagon wheel's tread with the flange of a
+``WPL9_like``   locomotive wheel: only its name is known; the wagon wheel's tread with the flange of a
                 new S1002 (32.5 and 28 mm, UIC 510-2)
 ``MB4_like``    "the standard UIC60 rail with a slight gauge corner relief"
 ``MB1_like``    "more ground at the gauge corner to avoid any contact": on it no wheel touches the corner
@@ -27,7 +27,7 @@ _STEP_MM = 0.1  # point spacing along the line
 
 
 class _Wheel(NamedTuple):
-    """Parameters of a wheel, all assumed but those that Table 1-8 gives [mm], [degrees]."""
+    """Parameters of a wheel, all assumed except those of Table 1-8 [mm], [degrees]."""
 
     flange_thickness: float  # Sd, 10 mm below the running circle
     flange_height: float  # Sh
@@ -44,10 +44,10 @@ class _Wheel(NamedTuple):
 
 
 class _Pass(NamedTuple):
-    """One pass of grinding, all assumed: how much lower than a 60E1, over the distance from its axis [mm]."""
+    """One pass of grinding, all assumed: depth below a 60E1 over the distance from its axis [mm]."""
 
-    start: float  # where it begins
-    full: float  # where it reaches its depth
+    start: float  # distance at which it begins
+    full: float  # distance from which it has its full depth
     depth: float
 
 
@@ -64,8 +64,8 @@ LINE_RAILS = tuple(_GRINDING)
 
 _FIELD_EDGE_MM = -62.0
 _BACK_ANGLE = 88.0  # degrees
-_FLANGE_MEASURE_MM = 10.0  # below the running circle: where Sd is measured and qR begins
-_TIP_MEASURE_MM = 2.0  # above the flange tip: where qR ends
+_FLANGE_MEASURE_MM = 10.0  # below the running circle: level of Sd and of one end of qR
+_TIP_MEASURE_MM = 2.0  # above the flange tip: level of the other end of qR
 
 
 def line_wheel_coordinates(name: str) -> tuple[FloatArray, FloatArray]:
@@ -136,17 +136,9 @@ def _wheel_line(
 
 
 def line_rail_coordinates(name: str) -> tuple[FloatArray, FloatArray]:
-    """An upright rail head of the line, ground on its gauge side, crown at the origin.
+    """An upright rail head of the line, one of `LINE_RAILS`, ground on its gauge side, crown at the origin.
 
-    Parameters
-    ----------
-    name : str
-        One of `LINE_RAILS`.
-
-    Returns
-    -------
-    y, z : FloatArray
-        Side coordinates [m], y increasing; spacing about 0.1 mm along the head.
+    Coordinates as those of `line_wheel_coordinates`, the spacing along the head.
     """
     y, z = rail_head_coordinates("60E1")
     depth = np.zeros(len(y))

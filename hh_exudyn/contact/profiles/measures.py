@@ -1,4 +1,4 @@
-"""Measures of a profile, as a gauge reads them: Sh, Sd, qR, flange angle, hollow tread; wear of a rail head.
+"""Measures of a profile: Sh, Sd, qR, flange angle, hollow tread of a wheel; wear of a rail head.
 
 Wheel measures as in EN 15313 and UIC 510-2, from the running circle 70 mm from the flange back (the lengths
 of 70, 10 and 2 mm are MiniProf's default too, greenwood.dk/miniprofstandardcalc.php, read 2026):
@@ -8,7 +8,7 @@ of 70, 10 and 2 mm are MiniProf's default too, greenwood.dk/miniprofstandardcalc
 * qR: horizontal distance between the points of the face 10 mm below the tread and 2 mm above the flange tip.
 
 A new S1002 has Sh = 28 mm and Sd = 32.5 mm (UIC 510-2, EN 13715); its qR of 10.794 mm follows from the
-sections of the drawing (no published figure at hand).
+sections of the drawing (no published value is known).
 """
 
 import math
@@ -24,8 +24,8 @@ from hh_exudyn.conventions import FLANGE_BACK_TO_RUNNING_CIRCLE, GAUGE_MEASURING
 FLANGE_THICKNESS_DEPTH = 0.010  # m below the tread at the running circle, EN 13715
 _QR_FROM_TIP = 0.002  # m, EN 15313
 
-_ANGLE_BASE = 1e-3  # m of arc length over which the flange angle is taken: not the slope of one scratch
-_TREAD_END = 0.025  # m towards the flange: where a hollow can lie; beyond it the flange root rises
+_ANGLE_BASE = 1e-3  # m of arc length, base of the flange angle: longer than a scratch
+_TREAD_END = 0.025  # m towards the flange: end of the tread for a hollow; beyond it the flange root rises
 _CHAMFER = 0.010  # m at the outer end of a wheel profile, where the rim may be rounded or burred
 _LEAST_SIDE_DEPTH, _LARGEST_SIDE_DEPTH = 0.005, 0.025  # m
 _FIELD_SIDE_START = -0.012  # m from the top's middle: alignment uses the profile outside of it
@@ -46,10 +46,7 @@ def flange_height(wheel: Profile) -> float:
 def flange_thickness(wheel: Profile) -> float:
     """Sd: thickness of the flange 10 mm below the tread at the running circle [m] (EN 13715).
 
-    Raises
-    ------
-    ValueError
-        If the profile is a rail's.
+    Errors as for `flange_height`.
     """
     face = _flange_face(wheel, float(np.interp(0.0, *_wheel(wheel))) - FLANGE_THICKNESS_DEPTH)
     return FLANGE_BACK_TO_RUNNING_CIRCLE - face
@@ -60,10 +57,7 @@ def flange_steepness(wheel: Profile) -> float:
 
     The smaller, the steeper; EN 15313 allows 6.5 mm and more.
 
-    Raises
-    ------
-    ValueError
-        If the profile is a rail's.
+    Errors as for `flange_height`.
     """
     y, z = _wheel(wheel)
     upper = _flange_face(wheel, float(np.interp(0.0, y, z)) - FLANGE_THICKNESS_DEPTH)
@@ -73,10 +67,7 @@ def flange_steepness(wheel: Profile) -> float:
 def flange_angle(wheel: Profile) -> float:
     """Largest angle of the flange face against the axle, over 1 mm of arc length [rad].
 
-    Raises
-    ------
-    ValueError
-        If the profile is a rail's.
+    Errors as for `flange_height`.
     """
     y, z = _wheel(wheel)
     face = (y >= 0.0) & (np.arange(len(y)) <= np.argmin(np.where(y > 0.0, z, np.inf)))
@@ -89,16 +80,13 @@ def flange_angle(wheel: Profile) -> float:
 
 
 def tread_hollow(wheel: Profile) -> float:
-    """Depth of a hollow tread: how far the field side stands out over the tread [m]; 0 without a hollow.
+    """Depth of a hollow tread: radius of the field side over that of the tread [m]; 0 without a hollow.
 
     The largest rise of the wheel's radius from any point of the tread (up to 25 mm towards the flange) to a
     point outside of it, the outer 10 mm of the profile (chamfer) left out. After Sawley and Wu 2005 (Wear
     258), who measure it from the end of the false flange.
 
-    Raises
-    ------
-    ValueError
-        If the profile is a rail's.
+    Errors as for `flange_height`.
     """
     y, z = _wheel(wheel)
     tread = z[(y >= y[0] + _CHAMFER) & (y <= _TREAD_END)]
@@ -134,17 +122,17 @@ def rail_wear(
 ) -> RailWear:
     """Head wear W1, W2 and W3 of a worn rail.
 
-    Reading a file puts every rail's highest point at z = 0, which hides W1: the worn rail must first be put
-    where it lay. `align_rail` finds `dy` and `dz` from the field side, if that is not worn.
+    A file is read with the rail's highest point at z = 0, which hides W1: the worn rail must be shifted to
+    its place on the reference. `align_rail` finds `dy` and `dz` from the field side, if that is not worn.
 
     Parameters
     ----------
     worn, reference : Profile
-        Rails in side coordinates; the reference with the inclination that the worn rail has.
+        Rails in side coordinates; the reference with the inclination of the worn rail.
     dy, dz : float
         Added to the worn rail's coordinates [m].
     side_depth : float
-        Where W2 is measured, below the reference's top [m], 5 .. 25 mm; national rules differ.
+        Depth of W2 below the reference's top [m], 5 .. 25 mm; national rules differ.
 
     Raises
     ------
@@ -175,10 +163,15 @@ def rail_wear(
 
 
 def align_rail(worn: Profile, reference: Profile) -> tuple[float, float]:
-    """The shift dy, dz that lays the field side of a worn rail on that of its reference [m].
+    """The shift dy, dz that fits the field side of a worn rail to that of its reference [m].
 
     Least squares of the distances from the reference of the worn rail's points more than 12 mm outside of its
-    middle, which wheels with a sound tread do not touch. Rotation is not sought.
+    middle, which wheels without a hollow do not touch. Rotation is not fitted.
+
+    Parameters
+    ----------
+    worn, reference : Profile
+        Rails in side coordinates; the reference with the inclination of the worn rail.
 
     Raises
     ------
@@ -218,7 +211,7 @@ def _wheel(wheel: Profile) -> tuple[FloatArray, FloatArray]:
 
 
 def _flange_face(wheel: Profile, level: float) -> float:
-    """Where the flange, from the running circle on, first is as low as `level` [m]."""
+    """Lateral position at which the flange, from the running circle on, first reaches `level` [m]."""
     y, z = wheel.y, wheel.z
     below = int(np.flatnonzero((y > 0.0) & (z < level))[0])  # the flange reaches there: `Profile` checks it
     share = (z[below - 1] - level) / (z[below - 1] - z[below])
@@ -226,7 +219,7 @@ def _flange_face(wheel: Profile, level: float) -> float:
 
 
 def _crossing(rail: Profile, y: FloatArray, z: FloatArray, level: float) -> float:
-    """Where the gauge side of a rail first is as low as `level` [m]."""
+    """Lateral position at which the gauge side of a rail first reaches `level` [m]."""
     top = int(np.argmax(z))
     below = np.flatnonzero(z[top:] <= level)
     if below.size == 0 or z[top] <= level:

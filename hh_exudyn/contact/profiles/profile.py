@@ -72,7 +72,7 @@ def gauge_point(rail: Profile) -> float:
 
 
 def _gauge_crossing(y: FloatArray, z: FloatArray) -> float:
-    """Where the gauge side is 14 mm below the top, which it must reach."""
+    """Lateral position of the gauge side 14 mm below the top; the profile must reach that depth."""
     top = int(np.argmax(z))
     depth = z - z[top]
     below = top + int(np.argmax(depth[top:] <= -GAUGE_MEASURING_DEPTH))
@@ -81,7 +81,17 @@ def _gauge_crossing(y: FloatArray, z: FloatArray) -> float:
 
 
 def check_points(what: str, unit: str, lines: list[int], y: FloatArray, z: FloatArray) -> None:
-    """Number of points, finite values in metres, increasing y; `unit` and `lines` say where."""
+    """Check number of points, finite values in metres, increasing y; `unit` and `lines` are for messages.
+
+    Parameters
+    ----------
+    what : str
+        Name of the profile in messages.
+    unit, lines
+        Name of a place, such as "line", and its number for each point.
+    y, z : FloatArray
+        (n,) points [m].
+    """
     if y.ndim != 1 or y.shape != z.shape:
         raise ValueError(
             f"{what}: y and z must be one-dimensional and equally long, got {y.shape}, {z.shape}"
@@ -109,7 +119,15 @@ def check_points(what: str, unit: str, lines: list[int], y: FloatArray, z: Float
 
 
 def check_cover(what: str, kind: str, y: FloatArray, z: FloatArray) -> None:
-    """The stretch that contact needs must be there; catches profiles in another frame."""
+    """Check that the range of contact is covered, which also detects profiles in another frame.
+
+    Parameters
+    ----------
+    what, kind : str
+        Name of the profile in messages, and ``"wheel"`` or ``"rail"``.
+    y, z : FloatArray
+        (n,) points in side coordinates [m].
+    """
     if kind == "wheel":
         if y[0] > _WHEEL_FIELD_SIDE:
             raise ValueError(

@@ -1,4 +1,4 @@
-"""Profile files of any known format as profiles in side coordinates, cleaned, and smooth where they were not.
+"""Profile files of any known format as profiles in side coordinates, cleaned, and smoothed where rough.
 
 The steps of `read_profile`: points in the file's axes (`formats`), units and gaps, order, duplicates
 (`cleaning`), wheel or rail, side coordinates (`axes`), smoothing (`smoothing`), loops
@@ -43,11 +43,11 @@ class ProfileReport:
     format, kind : str
         As found; see `formats.RawPoints`.
     points_read, points_dropped : int
-        In the file, and left out of it (duplicates; loops and overhangs where it was not smoothed).
+        In the file, and dropped (duplicates; loops and overhangs where it was not smoothed).
     mirrored, upside_down : bool
-        Whether y, z of the profile run against the file's.
+        Whether y, z of the profile are opposite to the file's.
     shift_y, shift_z : float
-        Added after that [m].
+        Shift after that [m].
     ripple, ripple_left : float
         `smoothing.curvature_ripple` before and after [1/m].
     smoothing : Smoothed or None
@@ -75,7 +75,7 @@ class ProfileReport:
 
 @dataclass(frozen=True)
 class ReadProfile:
-    """A profile and how it came out of its file."""
+    """A profile and the report on its reading."""
 
     profile: Profile
     report: ProfileReport
@@ -103,6 +103,13 @@ def read_rail_profile(path: str | Path, *, mirrored: bool = False) -> Profile:
     are taken as they are, with any lateral origin; ``#`` starts a comment. For the others, and for
     `mirrored`, see `axes`.
 
+    Parameters
+    ----------
+    path : str or Path
+        The file; its stem names the profile.
+    mirrored : bool
+        For a rail with both sides down to 14 mm: the gauge side is opposite to the format's usual one.
+
     Raises
     ------
     ValueError
@@ -129,23 +136,23 @@ def read_profile(
     kind : str or None
         ``"wheel"``, ``"rail"``, or None: by the header, else by its width (rails up to 90 mm).
     mirrored : bool
-        For a rail whose two sides reach 14 mm down: the gauge side is opposite to the format's usual one.
+        For a rail with both sides down to 14 mm: the gauge side is opposite to the format's usual one.
     flange_back : float or None
-        For a wheel: where the file's lateral axis has the flange back [m].
+        For a wheel: position of the flange back on the file's lateral axis [m].
     smoothing : str
         ``"auto"``: where the curvature ripples (`smoothing`); ``"always"``; ``"never"``.
     deviation : float
-        How far from the points smoothing may go [m], 1 um .. 0.5 mm. Larger waves stay: a worn or dirty
-        flange may need more.
+        Largest deviation of the smoothed curve from the points [m], 1 um .. 0.5 mm. Larger waves remain: a
+        worn or dirty flange may need more.
 
     Raises
     ------
     ValueError
-        A file that is missing, empty, binary, cut off, in another unit than millimetres, of the wrong kind,
-        with numbers that are not finite or lines that are no points, with gaps of more than 10 mm, or that
+        A file that is missing, empty, binary, truncated, in another unit than millimetres, of the wrong kind,
+        with numbers that are not finite or lines of another form, with gaps of more than 10 mm, or that
         does not cover the range of contact. The message names file, line, value and range.
     OSError
-        The file may not be read.
+        No permission to read the file.
     """
     path = Path(path)
     _check_options(kind, smoothing, deviation)
@@ -194,7 +201,7 @@ def read_profile(
 
 
 def _check_options(kind: str | None, smoothing: str, deviation: float) -> None:
-    """The keywords of `read_profile` that do not depend on the file."""
+    """Check the keywords of `read_profile` that do not depend on the file."""
     if kind not in (None, "wheel", "rail"):
         raise ValueError(f"kind = {kind!r}, allowed 'wheel', 'rail' or None")
     if smoothing not in SMOOTHING:
@@ -220,7 +227,7 @@ def _ordered(path: Path, raw: RawPoints, notes: list[str]) -> tuple[FloatArray, 
 
 
 def _distinct(path: Path, y: FloatArray, z: FloatArray, notes: list[str]) -> IntArray:
-    """The points that differ from the one before, by index; ValueError where too few are left."""
+    """Indices of the points that differ from the one before; ValueError where they are too few."""
     different = distinct(y, z)
     if dropped := len(y) - len(different):
         notes.append(f"{dropped} duplicates left out")
@@ -230,7 +237,7 @@ def _distinct(path: Path, y: FloatArray, z: FloatArray, notes: list[str]) -> Int
 
 
 def _anchor(kind: str, y: FloatArray, z: FloatArray) -> int:
-    """The point that surely belongs to the profile: at the running circle, or the top of a rail."""
+    """Index of a point that certainly belongs to the profile: at the running circle, or the top of a rail."""
     return int(np.argmin(np.hypot(y, z - tread(y, z)))) if kind == "wheel" else int(np.argmax(z))
 
 
@@ -244,7 +251,7 @@ def _in_words(smoothed: Smoothed, ripple: float, ripple_left: float) -> str:
 
 
 def _check_numbers(path: Path, raw: RawPoints) -> None:
-    """Enough points, all finite, of a profile's size in millimetres."""
+    """Check that there are enough points, all finite, of a profile's size in millimetres."""
     if not MIN_POINTS <= len(raw.y) <= _MAX_POINTS:
         raise ValueError(
             f"profile {path}: {len(raw.y)} points, at least {MIN_POINTS} needed, at most {_MAX_POINTS}"
@@ -274,7 +281,7 @@ def _check_numbers(path: Path, raw: RawPoints) -> None:
 
 
 def _kind(path: Path, raw: RawPoints, asked: str | None, y: FloatArray, z: FloatArray) -> str:
-    """Wheel or rail: as asked, if nothing speaks against it."""
+    """Wheel or rail: `asked` unless the file contradicts it, else by header or width."""
     if asked and raw.kind and asked != raw.kind:
         raise ValueError(f"{asked} profile {path}: the file says that it is a {raw.kind}'s")
     width = 1e3 * float(np.ptp(y))

@@ -1,21 +1,21 @@
-"""Measured profiles: how noisy their curvature is, and smoothing that stays within 0.02 mm of them.
+"""Measured profiles: ripple of their curvature, and smoothing with deviations of up to 0.02 mm.
 
-Hertz lives on curvatures, and white noise of 5 um at the 0.3 mm spacing of a MiniProf makes a curvature of
-some 100 1/m on a tread with 3 of its own. The rule:
+Hertz's theory needs curvatures, and white noise of 5 um at the 0.3 mm spacing of a MiniProf adds some 100 1/m
+to the 3 1/m of a tread. The rule:
 
-* A profile is left as it is unless its curvature ripples: the median, along the profile, of the part of its
+* A profile is smoothed only if its curvature has ripple: the median, along the profile, of the part of its
   curvature in waves of 1.5 to 5 mm exceeds `RIPPLE_ALLOWED` = 1.5 1/m, half that of a crown of R300.
   Drawn profiles stay below (arcs and their joints: 0.02 .. 1.3 1/m), white noise of 1 um exceeds it.
-* Else position and height along the arc length s each minimise (the ripple is found with the same filter)
+* Then position and height along the arc length s each minimise (the ripple is found with the same filter)
 
       integral (u - x)^2 ds + integral (L/2 pi)^6 (d3u/ds3)^2 ds
 
   with x the measured and u the smooth curve. A wave of length l has the gain 1/(1 + (L/l)^6): L is the
   wavelength of half gain, and the radius R of an arc changes by its (L/2 pi R)^6-fold, 3e-6 for 13 mm.
-* L is, place by place, the longest up to `LONGEST_CUT_OFF` = 10 mm (about a contact patch) for which the
+* L is, at every place, the longest up to `LONGEST_CUT_OFF` = 10 mm (about a contact patch) for which the
   curve stays within `DEVIATION_ALLOWED` = 0.02 mm of the points, taken as means over 1 mm of arc length
-  (four points of a MiniProf): so the scatter of single points does not count as shape, but anything wider
-  does. (The rounds aim at 0.7 of that, for noise hides some of the deviation from the true shape.)
+  (four points of a MiniProf): so the scatter of single points is removed, and wider features are preserved.
+  (The goal is 0.7 of that, because noise hides part of the deviation from the true shape.)
 
 Measured on S1002 with white noise of 5 um every 0.25 mm (twelve seeds): curvature on the tread off by 0.13 ..
 0.34 1/m rms, the curve within 16 um of the true one, the flange root of 13 mm within 4 % in the mean. With
@@ -38,19 +38,19 @@ DEVIATION_ALLOWED = 0.02e-3  # m
 LONGEST_CUT_OFF = 10e-3  # m
 GRID = 0.1e-3  # m of arc length, spacing of the smooth points
 
-_SHORTEST_CUT_OFF = 0.3e-3  # m, about the spacing of measured points: follows them
+_SHORTEST_CUT_OFF = 0.3e-3  # m, about the spacing of measured points: no smoothing
 _AVERAGING = 1e-3  # m
 _RIPPLE_BAND = 1.5e-3, 5e-3  # m
 _STEEPEST = 5.0  # |dz/dy| up to which curvature matters, as `spline.MAX_SLOPE`
 _SHORTENING = 0.9  # of the cut-off in each round
-_SHORTENED_WIDTH = 6e-3  # m, around a place that lies too far off: wider leaves more waves beside it
+_SHORTENED_WIDTH = 6e-3  # m, around a place of too large deviation; with more, more waves remain beside it
 _ROUNDS = 100
 _DEVIATION_GOAL = 0.7  # of the allowed deviation: noise hides some of the deviation from the true shape
 
 
 @dataclass(frozen=True)
 class Smoothed:
-    """A smooth curve and how far it lies from its points.
+    """A smooth curve and its deviations from the points.
 
     Attributes
     ----------
@@ -61,7 +61,7 @@ class Smoothed:
     deviation : float
         Largest distance from the points, as means over 1 mm of arc length [m].
     point_rms, point_max : float
-        Of the single points' distances from the curve [m].
+        Root mean square and largest of the single points' distances from the curve [m].
     """
 
     y: FloatArray
@@ -99,7 +99,7 @@ def smooth(y: FloatArray, z: FloatArray, deviation: float = DEVIATION_ALLOWED) -
     y, z : FloatArray
         A curve in order, without duplicates [m].
     deviation : float
-        How far from the points the curve may lie, as means over 1 mm of arc length [m].
+        Largest distance of the curve from the points, as means over 1 mm of arc length [m].
     """
     s = arc_length(y, z)
     grid = _grid(s)
@@ -126,7 +126,7 @@ def smooth(y: FloatArray, z: FloatArray, deviation: float = DEVIATION_ALLOWED) -
 
 
 def _shortened(cut_off: FloatArray, too_far: NDArray[np.bool_], width: int) -> FloatArray:
-    """The cut-off reduced around the places that lie too far off, without steps."""
+    """The cut-off reduced around places of too large deviation, without steps."""
     near = maximum_filter1d(too_far.astype(np.float64), width)
     weight = uniform_filter1d(near, width, mode="nearest") * near
     return np.maximum(cut_off * _SHORTENING**weight, _SHORTEST_CUT_OFF)
@@ -157,6 +157,6 @@ def _curvature(y: FloatArray, z: FloatArray) -> FloatArray:
 
 
 def _distance(y: FloatArray, z: FloatArray, other_y: FloatArray, other_z: FloatArray) -> FloatArray:
-    """How far the other curve lies to the left of this one [m]."""
+    """Distance of the other curve to the left of this one [m]."""
     along_y, along_z = np.gradient(y), np.gradient(z)
     return ((other_z - z) * along_y - (other_y - y) * along_z) / np.hypot(along_y, along_z)

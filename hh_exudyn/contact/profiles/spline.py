@@ -1,7 +1,7 @@
-"""Profiles as the kernels use them: smoothed in curvature, C2 cubic splines on a uniform grid.
+"""Profiles for the kernels: C2 cubic splines on a uniform grid, with smoothed curvature.
 
-Hertz needs curvatures, and the curvature of a drawing jumps where its arcs join. So the curvature is
-blurred over a length like that of a contact patch before the spline is made.
+Hertz's theory needs curvatures, and the curvature of a drawing jumps where its arcs join. So the curvature is
+smoothed over about the length of a contact patch before the spline is made.
 """
 
 import math
@@ -28,9 +28,9 @@ def spline_table(profile: Profile, step: float = 0.25e-3, smoothing: float = 0.5
     The rule of smoothing: along the arc length, the direction angle of the profile (its derivative is the
     curvature) is convolved with 2 g - g*g, g a Gaussian of standard deviation `smoothing`; the curve is
     integrated from it again and shifted so that it meets the original at the running circle or the rail top.
-    The radius of arcs stays. A Gaussian alone would move the curve sideways by ``dk smoothing^2 / 2`` from
-    where the curvature jumps by dk on (10 um at S1002's flange); 2 g - g*g has no second moment, so the
-    curve stays (within 4 um in z), at the price of an overshoot of some per cent of dk.
+    Radii of arcs are unchanged. A Gaussian alone would shift the curve by ``dk smoothing^2 / 2`` beyond a
+    jump dk of the curvature (10 um at S1002's flange); 2 g - g*g has no second moment, so the curve keeps
+    its place (within 4 um in z), with an overshoot of some per cent of dk in return.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def spline_table(profile: Profile, step: float = 0.25e-3, smoothing: float = 0.5
     dense = CubicSpline(y, z)
     nodes = np.arange(math.ceil(y[0] / step), math.floor(y[-1] / step) + 1) * step
     values = dense(nodes)
-    # The end slopes are known, so no rule has to invent them.
+    # End conditions: the slopes at both ends, which are known.
     spline = CubicSpline(nodes, values, bc_type=((1, dense(nodes[0], 1)), (1, dense(nodes[-1], 1))))
     second = spline(nodes, 2)
     if profile.kind == "wheel":
@@ -82,13 +82,21 @@ def spline_table(profile: Profile, step: float = 0.25e-3, smoothing: float = 0.5
 
 
 def uniform_table(start: float, step: float, z: FloatArray, second: FloatArray) -> SplineTable:
-    """The table, its redundant fields from heights and second derivatives."""
+    """The table from heights and second derivatives at the nodes, with its derived fields.
+
+    Parameters
+    ----------
+    start, step : float
+        Lateral position of the first node, and node spacing [m].
+    z, second : FloatArray
+        (n,) heights [m] and second derivatives [1/m].
+    """
     slope = np.empty_like(z)
     slope[:-1] = np.diff(z) / step - step / 6.0 * (2.0 * second[:-1] + second[1:])
     slope[-1] = slope[-2] + 0.5 * step * (second[-2] + second[-1])
     levels = int(math.log2(z.size - 1)) + 1
     bounds = np.empty((levels, z.size, 2))
-    bounds[:, :, 0], bounds[:, :, 1] = -np.inf, np.inf  # beyond the grid nothing is known
+    bounds[:, :, 0], bounds[:, :, 1] = -np.inf, np.inf  # no bound beyond the grid
     bounds[0, :-1, 0] = np.minimum(second[:-1], second[1:])  # linear from node to node
     bounds[0, :-1, 1] = np.maximum(second[:-1], second[1:])
     for level in range(1, levels):
@@ -160,7 +168,7 @@ def _blur_curvature(
 
 
 def _anchor(profile: Profile) -> float:
-    """Where smoothing must not move the profile: running circle or rail top."""
+    """Lateral position at which smoothing does not move the profile: running circle or rail top [m]."""
     return 0.0 if profile.kind == "wheel" else float(profile.y[np.argmax(profile.z)])
 
 

@@ -1,8 +1,7 @@
 """Coordinates of the profiles that standards define: S1002 wheel, 54E1/54E2/60E1/60E2 rail heads.
 
-Each is written as its drawing gives it, arcs and polynomials, in millimetres; the functions return metres
-in side coordinates (`hh_exudyn.conventions`). `profile.wheel_profile` and `profile.rail_profile` make
-profiles of them.
+Arcs and polynomials are those of the drawings, in millimetres; the functions return metres in side
+coordinates (`hh_exudyn.conventions`). `library.wheel_profile` and `library.rail_profile` make the profiles.
 """
 
 import math

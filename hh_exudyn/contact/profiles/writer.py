@@ -1,4 +1,4 @@
-"""Profiles written as text that this toolkit and others read: two columns, or like a MiniProf file."""
+"""Profiles as text files for this toolkit and others: two columns, or like a MiniProf file."""
 
 from pathlib import Path
 
@@ -33,8 +33,8 @@ def write_profile(profile: Profile, path: str | Path, format: str = TWO_COLUMN) 
 
     Notes
     -----
-    `reader.read_profile` gives the same points back to a nanometre, if the profile is smooth enough
-    to be left as it is (any profile that the reader has smoothed is); else it smooths them.
+    `reader.read_profile` returns the same points to a nanometre, if the profile is smooth enough not to be
+    smoothed (as is any profile that the reader has smoothed).
     """
     if format not in WRITTEN_FORMATS:
         raise ValueError(f"format = {format!r}, allowed {', '.join(WRITTEN_FORMATS)}")

@@ -4,12 +4,12 @@ Sign convention: creepages of the wheel relative to the rail, over the speed V; 
 wheel; x in rolling direction, leading edge at x = +a.
 
 The grid, the same in every theory: strips of equal width 2 b / ny across the patch, each divided into nx
-cells of equal length from its own trailing to its own leading edge, so that the edge cuts no cell. Cell
+cells of equal length from its own trailing to its own leading edge, so that no cell crosses the edge. Cell
 (j, i) has its centre at y_j = b (-1 + (2 j + 1)/ny), x_ji = a(y_j) (-1 + (2 i + 1)/nx), with a(y) =
 a sqrt(1 - (y/b)^2), and the area of `cell_areas`. Forces use the same cells, but the pressure's integral
 is exact in them; the sum of q times area meets the force within about 1 % at 20 x 20 cells.
 
-Which theories there are: `registry`. How far each is from the exact solution: `validation`.
+List of the theories: `registry`. Their errors against the exact solution: `validation`.
 """
 
 import math
@@ -22,7 +22,39 @@ from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel, force_kernel
 from hh_exudyn.contact.types import Fields, RollingPatch
 
-_MOST_CELLS = 2000  # each way: more than any stress field needs, and still a second
+_MOST_CELLS = 2000  # in either direction: more than any stress field needs, and about a second
+
+
+@dataclass(frozen=True)
+class PatchLoad:
+    """Size, load, creepages and friction of a patch.
+
+    Attributes
+    ----------
+    a, b : float
+        Semi-axes in rolling direction and lateral [m], > 0.
+    normal_force : float
+        [N], > 0.
+    nu_x, nu_y : float
+        Longitudinal and lateral creepage [-].
+    phi : float
+        Spin creepage [1/m].
+    friction : float
+        Friction coefficient [-], > 0.
+    """
+
+    a: float
+    b: float
+    normal_force: float
+    nu_x: float
+    nu_y: float
+    phi: float
+    friction: float
+
+    @property
+    def arguments(self) -> tuple[float, float, float, float, float, float, float]:
+        """Arguments of `creep_force` and `traction_field` after the theory."""
+        return self.a, self.b, self.normal_force, self.nu_x, self.nu_y, self.phi, self.friction
 
 
 @dataclass(frozen=True)
@@ -44,7 +76,9 @@ class CreepForce:
 
 @dataclass(frozen=True)
 class TractionField:
-    """Stresses and slip over the patch, arrays (ny, nx); the grid is that of the module's docstring.
+    """Stresses and slip over the patch.
+
+    Arrays (ny, nx); the grid is that of the module's docstring.
 
     Attributes
     ----------
@@ -69,7 +103,15 @@ class TractionField:
 
 
 def cell_areas(a: float, b: float, ny: int, nx: int) -> FloatArray:
-    """Areas of the grid's cells [m^2], (ny, nx): (2 b/ny) (2 a(y_j)/nx), so sum(q * area) is the force."""
+    """Areas of the grid's cells [m^2], (ny, nx): (2 b/ny) (2 a(y_j)/nx), so sum(q * area) is the force.
+
+    Parameters
+    ----------
+    a, b : float
+        Semi-axes in rolling direction and lateral [m].
+    ny, nx : int
+        Strips, and cells along each.
+    """
     lateral = -1.0 + (2.0 * np.arange(ny) + 1.0) / ny
     areas = 4.0 * a * b / (nx * ny) * np.sqrt(1.0 - lateral**2)
     return np.repeat(areas[:, None], nx, axis=1)
@@ -85,7 +127,7 @@ def _rolling_patch(
     friction: float,
     material: Material,
 ) -> RollingPatch:
-    """The patch as kernels take it: floats only, of one type whatever the numbers were given as."""
+    """The patch for the kernels, with all numbers converted to float."""
     numbers = (a, b, normal_force, nu_x, nu_y, phi, friction, material.shear_modulus, material.poisson_ratio)
     return RollingPatch._make(float(number) for number in numbers)
 
@@ -179,7 +221,8 @@ def traction_field(
 ) -> TractionField:
     """Pressure, traction on the wheel and slip over the patch.
 
-    Arguments and errors as `creep_force`, ten too; the grid has cells[0] cells along x, cells[1] strips.
+    Ten arguments: those of `creep_force`, and so are the errors; the grid has cells[0] cells along x,
+    cells[1] strips.
 
     Returns
     -------

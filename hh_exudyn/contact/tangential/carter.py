@@ -6,8 +6,8 @@ F.W. Carter, On the action of a locomotive driving wheel, Proceedings of the Roy
 Carter's contact is two cylinders with parallel axes: it has a length 2 a and a pressure p0, nothing else. An
 ellipse is taken as ONE such line: the one in its middle, with the ellipse's semi-axis a and greatest pressure
 p0, and a width (4 b/3) that makes it carry the normal force. So F_x over friction * load is Carter's closed
-curve (2.21), the curve that is meant where a text says "Carter". Every strip of the stress field is that
-line's traction, drawn to the strip's own length and pressure: it adds up to the force, and |q| <= mu p.
+curve (2.21), the usual meaning of "Carter". Every strip of the stress field has that
+line's traction, scaled to the strip's length and pressure: it adds up to the force, and |q| <= mu p.
 (Giving each strip a Carter solution of its own is strip theory, Haines and Ollerton 1963: `strip`.)
 
 LONGITUDINAL CREEPAGE ONLY: lateral creepage and spin are ignored, F_y and M_z are zero. Under spin or
@@ -28,7 +28,12 @@ from hh_exudyn.kernel import kernel
 def slip_share(patch: RollingPatch) -> tuple[float, float]:
     """Share of the length that slips, 1 - d/a of equation 2.19 [-], and 2 (1 - nu) mu p0/G [-].
 
-    The share is R |nu_x|/(mu a) of equation 2.21; it exceeds 1 where creepage is more than full slip needs.
+    The share is R |nu_x|/(mu a) of equation 2.21; it exceeds 1 for creepages beyond the onset of full slip.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
     """
     compliance = 2.0 * (1.0 - patch.poisson_ratio) * patch.friction
     saturation = compliance * peak_pressure(patch) / patch.shear_modulus
@@ -37,7 +42,13 @@ def slip_share(patch: RollingPatch) -> tuple[float, float]:
 
 @kernel
 def force(patch: RollingPatch) -> tuple[float, float, float]:
-    """Creep force on the wheel, (F_x, 0, 0)."""
+    """Creep force on the wheel, (F_x, 0, 0).
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, nu_x and material; nu_y and phi have no effect.
+    """
     share, _ = slip_share(patch)
     share = min(share, 1.0)
     size = patch.friction * patch.normal_force * (2.0 - share) * share  # (2.21)
@@ -50,6 +61,8 @@ def field(patch: RollingPatch, fields: Fields) -> None:
 
     Slip is the creepage less the surface's strain, in closed form; the strain does no net work along a line,
     so friction dissipates F_x nu_x.
+
+    Arguments as in `fastrip.field`.
     """
     pressure, q_x, q_y, slip_x, slip_y = fields
     cells_y, cells_x = pressure.shape

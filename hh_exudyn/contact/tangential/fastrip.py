@@ -1,4 +1,4 @@
-"""FaStrip: strip theory with Kalker's coefficients, FASTSIM giving the direction of slip.
+"""FaStrip: strip theory with Kalker's coefficients, and directions of slip from FASTSIM.
 
 M.Sh. Sichani, R. Enblom, M. Berg, An alternative to FASTSIM for tangential solution of the wheel-rail
 contact, Vehicle System Dynamics 54 (2016) 748-764; equations 2.43-2.46 of Hossein-Nia (KTH, 2018),
@@ -22,10 +22,11 @@ on 50 x 50 cells in %, mean of the fields):
 
 Coulomb's law in the stick zone, tightest at the leading edge, can fail for |psi| > 1 only; its limit there
 needs no cell. Three choices of our own: D is written (xi^2 + eta^2)/(root - eta psi), the same as equation
-2.44 and finite at |psi| = 1; FASTSIM's single flexibility, which strips in full slip use, comes in with the
+2.44 and finite at |psi| = 1; FASTSIM's single flexibility, for strips in full slip, is blended in with the
 fourth power of the share of the strip that slips (1.01 against 1.06 % in the mean with a switch); and for
-|psi| > 1 the stick zone goes before it would break Coulomb's law (no change in the figures above). With the
-last two the forces have no jumps in the creepages; switches make jumps of 2.5 % of mu N on 15 x 15 cells.
+|psi| > 1 the stick zone is reduced before it would break Coulomb's law (no change in the figures above). With
+the last two the forces have no jumps in the creepages; switches cause jumps of 2.5 % of mu N on 15 x 15
+cells.
 """
 
 import math
@@ -50,6 +51,7 @@ from hh_exudyn.contact.tangential.strips import (
     PRIME,
     SHAPE,
     STATE_SIZE,
+    STRIP_COLUMNS,
     SUM_M,
     SUM_X,
     SUM_Y,
@@ -62,7 +64,8 @@ from hh_exudyn.contact.tangential.strips import (
 from hh_exudyn.contact.types import Fields, Memory, RollingPatch, Triple
 from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
 
-_TINY = 1e-300  # against 0/0; far below every square that occurs [-]
+_NO_STRIPS = np.zeros((0, STRIP_COLUMNS))  # of an ellipse: it is cut into even strips
+_TINY = 1e-300  # prevents 0/0; far below every square that occurs [-]
 _XI, _ELLIPSE, _WORK, _POWER = 0, 1, 2, 3  # rows of a table over the cells of a strip
 _TABLE_ROWS, _CELLS = 4, 64
 _TABLE_SIZE = _TABLE_ROWS * _CELLS
@@ -130,13 +133,44 @@ def _block_force(
 
 @kernel
 def cell_weight(cells_x: int) -> float:
-    """One over the sum of sqrt(1 - xi^2): the pressure summed over the cells of a strip is then exact."""
+    """1 / sum of sqrt(1 - xi^2), which makes the pressure summed over the cells of a strip exact."""
     inverse = 1.0 / cells_x
     total = 0.0
     for cell in range(cells_x // 2):
         xi = 1.0 - (2 * cell + 1) * inverse
         total += math.sqrt(1.0 - xi * xi)
     return 1.0 / (2.0 * total + cells_x % 2)  # the middle cell of an odd number
+
+
+@inlined_kernel
+def _load(
+    patch: RollingPatch, strips: FloatArray, elliptic: bool, span: tuple[int, int, int], state: Memory
+) -> int:
+    """Put the rows (first, how many, of all) into a block: of the strips, or of an ellipse in even ones."""
+    first, number, count = span
+    if elliptic:
+        return load_ellipse(patch, first, number, count, state)
+    return load_strips(strips, first, number, state)
+
+
+@kernel
+def _force(
+    patch: RollingPatch, strips: FloatArray, elliptic: bool, count: int, cells_x: int
+) -> tuple[float, float, float]:
+    """Creep forces and spin moment of `count` strips; zero where no strip carries load."""
+    rolling = rolling_strips(patch)
+    state = memory(STATE_SIZE)
+    weight = cell_weight(cells_x)
+    force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
+    for first in range(0, count, BLOCK):
+        number = min(count - first, BLOCK)
+        groups = _load(patch, strips, elliptic, (first, number, count), state)
+        x, y, m, load = _block_force(groups, rolling, cells_x, weight, state)
+        force_x, force_y, moment_z, total = force_x + x, force_y + y, moment_z + m, total + load
+    if total <= 0.0:
+        return 0.0, 0.0, 0.0
+    scale = patch.friction * patch.normal_force / total
+    return force_x * scale, force_y * scale, moment_z * scale
 
 
 @kernel
@@ -161,35 +195,21 @@ def force_on_strips(
     tuple of float
         F_x [N], F_y [N], M_z about the origin [N m], on the wheel.
     """
-    rolling = rolling_strips(patch)
-    state = memory(STATE_SIZE)
-    weight = cell_weight(cells_x)
-    force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
-    for first in range(0, count, BLOCK):
-        number = min(count - first, BLOCK)
-        groups = load_strips(strips, first, number, state)
-        x, y, m, load = _block_force(groups, rolling, cells_x, weight, state)
-        force_x, force_y, moment_z, total = force_x + x, force_y + y, moment_z + m, total + load
-    if total <= 0.0:
-        return 0.0, 0.0, 0.0
-    scale = patch.friction * patch.normal_force / total
-    return force_x * scale, force_y * scale, moment_z * scale
+    return _force(patch, strips, False, count, cells_x)
 
 
 @kernel
 def force(patch: RollingPatch, cells_x: int, cells_y: int) -> tuple[float, float, float]:
-    """Creep forces and spin moment on the wheel."""
-    rolling = rolling_strips(patch)
-    state = memory(STATE_SIZE)
-    weight = cell_weight(cells_x)
-    force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
-    for first in range(0, cells_y, BLOCK):
-        number = min(cells_y - first, BLOCK)
-        groups = load_ellipse(patch, first, number, cells_y, state)
-        x, y, m, load = _block_force(groups, rolling, cells_x, weight, state)
-        force_x, force_y, moment_z, total = force_x + x, force_y + y, moment_z + m, total + load
-    scale = patch.friction * patch.normal_force / total
-    return force_x * scale, force_y * scale, moment_z * scale
+    """Creep forces and spin moment on the wheel.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    cells_x, cells_y : int
+        Cells along each strip, and strips.
+    """
+    return _force(patch, _NO_STRIPS, True, cells_y, cells_x)
 
 
 @kernel
@@ -274,26 +294,32 @@ def _fill_rows(
 
 
 @kernel
-def field_on_strips(strips: FloatArray, count: int, patch: RollingPatch, fields: Fields) -> None:
-    """Pressure, tractions and slip in the cells of a patch of any shape (kernel, allocates nothing).
-
-    Arguments as `force_on_strips`; of the arrays (>= count, nx) the first `count` rows are filled. Cell
-    (j, i) has its centre at x = l_j (-1 + (2 i + 1)/nx) and the area 2 l_j width_j/nx. Empty strips get no
-    pressure.
-    """
+def _fields(patch: RollingPatch, strips: FloatArray, elliptic: bool, count: int, fields: Fields) -> None:
+    """Fill the first `count` rows, and scale the slip of them all (see `field`)."""
     cells_x = fields.pressure.shape[1]
     rolling = rolling_strips(patch)
     state = memory(STATE_SIZE)
     work, power = 0.0, 0.0
     for first in range(0, count, BLOCK):
         number = min(count - first, BLOCK)
-        groups = load_strips(strips, first, number, state)
+        groups = _load(patch, strips, elliptic, (first, number, count), state)
         prepare(groups, rolling, cells_x, state)
         _directions(first, number, cells_x, groups, state, fields)
         lost, put_in = _fill_rows(patch, rolling, first, number, state, fields)
         work, power = work + lost, power + put_in
     if work < 0.0 and power < 0.0:
         scale_slip(power / work, fields.slip_x[:count], fields.slip_y[:count])
+
+
+@kernel
+def field_on_strips(strips: FloatArray, count: int, patch: RollingPatch, fields: Fields) -> None:
+    """Pressure, tractions and slip in the cells of a patch of any shape (kernel, allocates nothing).
+
+    Arguments as `force_on_strips`; of the arrays (>= count, nx) the first `count` rows are filled. Cell
+    (j, i) has its centre at x = l_j (-1 + (2 i + 1)/nx) and the area 2 l_j width_j/nx. Empty strips have no
+    pressure.
+    """
+    _fields(patch, strips, False, count, fields)
 
 
 @kernel
@@ -306,17 +332,13 @@ def field(patch: RollingPatch, fields: Fields) -> None:
     friction dissipate the power of the creepages: sum of q.s dA = F_x nu_x + F_y nu_y + M phi. L1 error
     of |s| in the five exact fields, in %, with and without the scale, and that of FASTSIM: one creepage
     9.2, 9.2, 48; tread 25, 25, 65; spin 21, 26, 48; lateral creepage and spin 21, 22, 28; flange 14, 14, 23.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    fields : Fields
+        Arrays (ny, nx) of the grid of `tangential.api`: pressure and tractions [Pa], slip over V [-];
+        result.
     """
-    cells_y, cells_x = fields.pressure.shape
-    rolling = rolling_strips(patch)
-    state = memory(STATE_SIZE)
-    work, power = 0.0, 0.0
-    for first in range(0, cells_y, BLOCK):
-        number = min(cells_y - first, BLOCK)
-        groups = load_ellipse(patch, first, number, cells_y, state)
-        prepare(groups, rolling, cells_x, state)
-        _directions(first, number, cells_x, groups, state, fields)
-        lost, put_in = _fill_rows(patch, rolling, first, number, state, fields)
-        work, power = work + lost, power + put_in
-    if work < 0.0 and power < 0.0:
-        scale_slip(power / work, fields.slip_x, fields.slip_y)
+    _fields(patch, _NO_STRIPS, True, fields.pressure.shape[0], fields)

@@ -1,4 +1,4 @@
-"""The equations of FaStrip in one strip: strip theory, and where FASTSIM's march through it begins.
+"""The equations of FaStrip in one strip: strip theory, and the start of FASTSIM's march.
 
 Equations 2.43 and 2.44 of Hossein-Nia (KTH, 2018), corrected; strip theory of D.J. Haines and E. Ollerton
 (1963), with spin J.J. Kalker (1967); Kalker's coefficients in it after M.Sh. Sichani, R. Enblom, M. Berg
@@ -31,15 +31,15 @@ from hh_exudyn.contact.tangential.strips import (
 from hh_exudyn.contact.types import Memory, Quadruple, RollingPatch, Triple
 from hh_exudyn.kernel import inlined_kernel, kernel, shaped
 
-_TINY = 1e-300  # against 0/0; far below every square that occurs [-]
-_FADES = 0.5  # where the stick zone begins to give way, 1 being where it breaks Coulomb's law [-]
+_TINY = 1e-300  # prevents 0/0; far below every square that occurs [-]
+_FADES = 0.5  # utilisation at which the stick zone begins to shrink; at 1 it would break Coulomb's law [-]
 
 
 class Rolling(NamedTuple):
     """Quantities common to the strips of a patch.
 
-    Strip theory's creepages become numbers over a strip's pressure p, FASTSIM's rigid slip over p^2/l with
-    the strip's half length l.
+    Divided by a strip's pressure p they give the scaled creepages of strip theory, divided by p^2/l with the
+    strip's half length l the scaled rigid slip of FASTSIM.
     """
 
     xi: float  # [Pa]
@@ -48,7 +48,7 @@ class Rolling(NamedTuple):
     three_x: float  # rigid slip over Kalker's three flexibilities [Pa^2/m]
     three_y: float
     three_phi: float  # [Pa^2/m^2]
-    one_x: float  # and over the single one
+    one_x: float  # rigid slip over the single flexibility [Pa^2/m]
     one_y: float
     one_phi: float
     poisson_ratio: float
@@ -58,7 +58,13 @@ class Rolling(NamedTuple):
 
 @inlined_kernel
 def rolling_strips(patch: RollingPatch) -> Rolling:
-    """Creepages scaled for strip theory (equation 2.43) and for FASTSIM."""
+    """Creepages scaled for strip theory (equation 2.43) and for FASTSIM.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    """
     a, b, nu_x, nu_y, phi = patch.a, patch.b, patch.nu_x, patch.nu_y, patch.phi
     friction, shear_modulus, poisson_ratio = patch.friction, patch.shear_modulus, patch.poisson_ratio
     c11, c22, c23, _ = coefficients(a / b, poisson_ratio)
@@ -117,7 +123,7 @@ def strip(xi: float, eta: float, psi: float, poisson_ratio: float) -> tuple[bool
     primes = kappa * kappa + lambda_prime * lambda_prime
     broken = beyond / (primes * (1.0 - math.sqrt(max(1.0 - part, 0.0))) + _TINY)
     full = (none | (broken >= 1.0)) & (not still)
-    # the stick zone that is about to break is taken back beforehand, so that forces have no jumps
+    # the stick zone shrinks before it would break Coulomb's law, so that forces have no jumps
     part += (1.0 - part) * max((broken - _FADES) / (1.0 - _FADES), 0.0)
     part = 1.0 if full else 0.0 if still else part
     kappa, lambda_prime = 0.0 if full else kappa, 0.0 if full else lambda_prime
@@ -126,7 +132,13 @@ def strip(xi: float, eta: float, psi: float, poisson_ratio: float) -> tuple[bool
 
 @inlined_kernel
 def direction_force(patch: RollingPatch) -> float:
-    """Normal force that FASTSIM is run with for the directions [N] (Sichani 2016)."""
+    """Normal force in FASTSIM for the directions [N] (Sichani 2016).
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Its semi-axes and normal force.
+    """
     if patch.a < patch.b:
         return patch.normal_force * (1.0 + (1.0 - patch.a / patch.b) ** 4)
     return patch.normal_force
@@ -134,7 +146,7 @@ def direction_force(patch: RollingPatch) -> float:
 
 @kernel
 def _sticks_until(w_x: float, w_y: float, spin: float) -> float:
-    """Where FASTSIM's stick from the leading edge ends, xi + 1 in 0..2; 2 if the edge itself slips.
+    """End of FASTSIM's stick zone from the leading edge, xi + 1 in 0..2; 2 if the edge itself slips.
 
     Until then its traction is (1 - xi) times v = (w_x, w_y + spin (1 + xi)/2), and the bound
     (1 - xi)(1 + xi): the end is the root of |v|^2 = (1 + xi)^2, a quadratic.
@@ -181,7 +193,7 @@ def set_strip(
     exists = length > 0.0
     part = part if exists else 0.0
     factor = length * inverse * inverse
-    # one flexibility where the whole strip slips; the fourth power lets it come in without a jump
+    # one flexibility where the whole strip slips; blended in by the fourth power without a jump
     share = part**4
     w_x = factor * (three[0] + share * (one[0] - three[0]) + three[3] + share * (one[3] - three[3]))
     w_y = factor * (three[1] + share * (one[1] - three[1]))
@@ -196,7 +208,20 @@ def set_strip(
 
 @kernel
 def prepare(groups: int, rolling: Rolling, cells_x: int, state: Memory) -> None:
-    """Solve strip theory in a block of strips, and set FASTSIM's march where each group of them needs it."""
+    """Solve strip theory in a block of strips, and set the first cell of FASTSIM's march for each group
+    (kernel).
+
+    Parameters
+    ----------
+    groups : int
+        In use.
+    rolling : Rolling
+        Of the patch.
+    cells_x : int
+        Cells along each strip.
+    state : memory
+        Of the block: strips are read, results and the start of the march are written.
+    """
     s = shaped(state, SHAPE)
     for g in range(groups):
         for lane in range(LANES):

@@ -1,10 +1,10 @@
 """FASTSIM: the simplified theory of rolling contact.
 
 J.J. Kalker, A fast algorithm for the simplified theory of rolling contact, Vehicle System Dynamics 11 (1982)
-1-13; equations 2.37-2.42 of Hossein-Nia (KTH, 2018). The surface yields locally, u = L q, with one
+1-13; equations 2.37-2.42 of Hossein-Nia (KTH, 2018). The surface deflects locally, u = L q, with one
 flexibility for each creepage, fitted to Kalker's coefficients; particles are followed through strips of the
-ellipse from the leading edge x = +a(y), and the traction is cut at friction times a parabolic pressure. The
-march is that of `fastsim_march`.
+ellipse from the leading edge x = +a(y), and the traction is limited to friction times a parabolic pressure.
+The march is that of `fastsim_march`.
 
 Two variants can be chosen: one flexibility for all creepages, the mean of the three weighted by the
 creepages; and the bound friction times Hertz's elliptic pressure (better stresses in the slip zone, worse
@@ -111,7 +111,21 @@ def force(
 ) -> tuple[float, float, float]:
     """Creep forces and spin moment on the wheel.
 
-    `single` takes one flexibility instead of three, `elliptic` the elliptic bound instead of the parabola.
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    single : bool
+        One flexibility instead of three.
+    elliptic : bool
+        Elliptic bound instead of the parabola.
+    cells_x, cells_y : int
+        Cells along each strip, and strips.
+
+    Returns
+    -------
+    tuple of float
+        F_x [N], F_y [N], M_z [N m].
     """
     w_x, w_y, spin, _ = _flexible(patch, single)
     state = memory(STATE_SIZE)
@@ -170,7 +184,7 @@ def _march_field(
     fields: Fields,
 ) -> None:
     """March a block of strips; fill q with the scaled traction at the cells' trailing nodes, slip_x with 1
-    where these slip, else 0. The last cell, at the trailing edge, is left to `_fill_rows`."""
+    where these slip, else 0. The last cell, at the trailing edge, is filled by `_fill_rows`."""
     _, q_x, q_y, slip_x, _ = fields
     s = shaped(state, SHAPE)
     step = 2.0 / cells_x
@@ -191,14 +205,14 @@ def _trailing_slip(
 ) -> tuple[float, float, float]:
     """Slip of a cell in which the traction falls from `old` to zero, all scaled to the cell; its work.
 
-    The work of the traction q on the slip w - dq is that of the mean traction on w, less |old|^2/2. The slip
-    is what does this work with the mean traction: in a cell that sticks at first it is less than the whole
-    slip, which happens where the traction is small already.
+    The work of the traction q on the slip w - dq is that of the mean traction on w, minus |old|^2/2. The slip
+    returned does this work with the mean traction: in a cell that sticks at first it is less than the total
+    slip, most of which occurs where the traction is already small.
     """
     rate_x, rate_y = w_x - old_x, w_y - old_y
     loss = mean_x * w_x + mean_y * w_y - 0.5 * (old_x * old_x + old_y * old_y)
     product = mean_x * rate_x + mean_y * rate_y
-    slips = (loss < 0.0) & (product < 0.0)  # a cell in which the traction turns round sticks
+    slips = (loss < 0.0) & (product < 0.0)  # a cell in which the traction reverses sticks
     share = loss / (product if slips else 1.0) if slips else 0.0
     return share * rate_x, share * rate_y, loss if slips else 0.0
 
@@ -256,7 +270,7 @@ def _fill_rows(
                 mean_x, mean_y = 0.5 * (old_x + new_x), 0.5 * (old_y + new_y)
                 rate_x, rate_y = w_x - (old_x - new_x), w_y + spin * xi - (old_y - new_y)
                 loss = mean_x * rate_x + mean_y * rate_y
-                # a cell in which the traction turns round sticks
+                # a cell in which the traction reverses sticks
                 rate = unit if (slip_x[j, i] > 0.5) & (loss < 0.0) else 0.0
                 pressure[j, i] = height * table[_SHAPE, c]
                 q_x[j, i], q_y[j, i] = peak * mean_x, peak * mean_y
@@ -290,6 +304,6 @@ def field(patch: RollingPatch, single: bool, elliptic: bool, fields: Fields) -> 
         lost, put_in = _fill_rows(patch, first, count, elliptic, state, fields)
         work, power = work + lost, power + put_in
     flexibility = 1.0 / stiff
-    if work < 0.0 and power < 0.0:  # a few cells under large spin may miss the sign of the power
+    if work < 0.0 and power < 0.0:  # with few cells and large spin the sign of the power may be wrong
         flexibility = power / work
     scale_slip(flexibility, fields.slip_x, fields.slip_y)

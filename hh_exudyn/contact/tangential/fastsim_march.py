@@ -34,7 +34,7 @@ from hh_exudyn.contact.tangential.strips import (
 from hh_exudyn.contact.types import Memory
 from hh_exudyn.kernel import inlined_kernel, kernel, shaped
 
-_TINY = 1e-300  # against 0/0
+_TINY = 1e-300  # prevents 0/0
 _MORE_THAN_ONE = 1.0 + 1e-12
 
 
@@ -42,7 +42,17 @@ _MORE_THAN_ONE = 1.0 + 1e-12
 def stiffnesses(
     a: float, b: float, shear_modulus: float, c11: float, c22: float, c23: float
 ) -> tuple[float, float, float]:
-    """1/L_x, 1/L_y, 1/L_phi of Kalker's three flexibilities [Pa/m], equation 2.40."""
+    """1/L_x, 1/L_y, 1/L_phi of Kalker's three flexibilities [Pa/m], equation 2.40 (kernel).
+
+    Parameters
+    ----------
+    a, b : float
+        Semi-axes [m].
+    shear_modulus : float
+        [Pa].
+    c11, c22, c23 : float
+        Kalker's coefficients [-].
+    """
     return (
         3.0 * shear_modulus * c11 / (8.0 * a),
         3.0 * shear_modulus * c22 / (8.0 * a),
@@ -54,7 +64,15 @@ def stiffnesses(
 def single_stiffness(
     stiff_x: float, stiff_y: float, stiff_phi: float, nu_x: float, nu_y: float, spin: float
 ) -> float:
-    """1/L of the three flexibilities weighted by the creepages, spin times sqrt(a b) [Pa/m]."""
+    """1/L of the three flexibilities weighted by the creepages [Pa/m].
+
+    Parameters
+    ----------
+    stiff_x, stiff_y, stiff_phi : float
+        From `stiffnesses` [Pa/m].
+    nu_x, nu_y, spin : float
+        Creepages, spin times sqrt(a b) [-].
+    """
     weighted = abs(nu_x) / stiff_x + abs(nu_y) / stiff_y + abs(spin) / stiff_phi
     if weighted == 0.0:
         return stiff_x
@@ -71,7 +89,7 @@ def advance(
     step_y: float,
     bound: float,
 ) -> tuple[float, float, float, float, float]:
-    """Carry the traction from one node to the next (equations 2.41, 2.42).
+    """Advance the traction from one node to the next (equations 2.41, 2.42).
 
     Parameters
     ----------
@@ -93,9 +111,9 @@ def advance(
     -----
     q_new = q_trial - s (t_old + t_new)/2 with |q_new| = bound: slip along the mean direction. The length
     follows without a root, s = (|q_trial|^2 - bound^2)/(bound + q_trial . t_old). Where the trial traction
-    turns right round, the slip is along the new direction (Kalker's own step). Where slip begins s grows from
-    zero, so that forces have no jumps in the creepages. No branches:
-    the compiler takes this step in several strips at once.
+    reverses, the slip is along the new direction (Kalker's own step). At the onset of slip s grows from zero,
+    so that forces have no jumps in the creepages. There are no branches, so the compiler takes this step
+    in several strips at once.
     """
     q_x -= step_x
     q_y -= step_y
@@ -116,10 +134,19 @@ def advance(
 
 @kernel
 def begin(groups: int, cells_x: int, state: Memory) -> None:
-    """Set each group of strips at the first node that one of them needs (row `FIRST`); all stick until there.
+    """Start each group of strips at the first node that one of them needs (row `FIRST`); up to it all stick.
 
     Until then the traction is (xi - 1) times v = (w_x, w_y + spin (1 + xi)/2). The rows of w hold the scaled
     rigid slip, and afterwards that of one cell.
+
+    Parameters
+    ----------
+    groups : int
+        In use.
+    cells_x : int
+        Cells along each strip.
+    state : memory
+        Of the block, changed.
     """
     s = shaped(state, SHAPE)
     for g in range(groups):
@@ -144,7 +171,19 @@ def begin(groups: int, cells_x: int, state: Memory) -> None:
 
 @kernel
 def march_cell(cell: int, groups: int, xi: float, bound: float, state: Memory) -> None:
-    """Carry all strips of a block through one cell; xi in its middle, bound at its trailing node."""
+    """Advance all strips of a block by one cell (kernel).
+
+    Parameters
+    ----------
+    cell : int
+        Number of the cell from the leading edge.
+    groups : int
+        In use.
+    xi, bound : float
+        Scaled place of the cell's middle, and bound at its trailing node [-].
+    state : memory
+        At the leading node of the cell; afterwards at the trailing one.
+    """
     s = shaped(state, SHAPE)
     for g in range(groups):
         if cell >= s[FIRST, g, 0]:
@@ -157,14 +196,15 @@ def march_cell(cell: int, groups: int, xi: float, bound: float, state: Memory) -
                 s[Q_X, g, lane], s[Q_Y, g, lane] = q_x, q_y
                 s[T_X, g, lane], s[T_Y, g, lane] = t_x, t_y
                 s[SLIPS, g, lane] = slips
-                # where the direction turns right round, the new one counts
+                # where the direction reverses, the new one is used
                 s[BOTH_X, g, lane] = old_x + _MORE_THAN_ONE * t_x
                 s[BOTH_Y, g, lane] = old_y + _MORE_THAN_ONE * t_y
 
 
 @kernel
 def last_cell(groups: int, xi: float, bound: float, elliptic: bool, state: Memory) -> None:
-    """Mean traction in the cell at the trailing edge (rows `END_X`, `END_Y`); all strips stay at its start.
+    """Mean traction in the cell at the trailing edge (rows `END_X`, `END_Y`); the state of the strips is not
+    changed.
 
     The bound falls to zero there, at t = 0..1 along the cell as bound (1 - t) for the parabola and bound
     sqrt(1 - t) for the ellipse. The traction follows q + d t, with the step d of stick, until it meets the

@@ -2,17 +2,17 @@
 
 A reference model of hunting (suspended wheelset, Cooperrider's bogie) has a rolling radius r0 + conicity * y
 and creep forces F_x = -f11 nu_x, F_y = -f22 nu_y, nothing else. So the wheels here are cylinders on crowned
-rails, of which the rolling radius alone grows with the place of the contact on the wheel,
+rails, and only the rolling radius grows with the place of the contact on the wheel,
 
     r = r0 + conicity * y_wheel,                                                                     (1)
 
-and which neither climb nor roll. What a real cone of the same conicity does besides is left out as in those
-models: the wheelset's roll by conicity / half distance (the largest: it makes the contact move sideways by 1
-+ r0 conicity / half distance of what the axle does), the gravitational stiffness of yaw and lateral motion,
-spin creepage. Cones of 0.1 with the same coefficients give the suspended wheelset a critical speed of 73.15
-instead of 73.40 m/s and a frequency of 6.35 instead of 6.27 Hz. There is no friction limit, and creep forces
-follow the creepage at once. Cylinder and rail head bear the load by Hertz, and a flange 8 mm from the rail
-holds a wheelset that has gone too far.
+without lift or roll. Further effects of a real cone of the same conicity are omitted as in those models: the
+wheelset's roll by conicity / half distance (the largest effect: the contact moves laterally 1 + r0 conicity /
+half distance times as far as the axle), the gravitational stiffness of yaw and lateral motion, spin creepage.
+Cones of 0.1 with the same coefficients give the suspended wheelset a critical speed of 73.15 instead of 73.40
+m/s and a frequency of 6.35 instead of 6.27 Hz. There is no friction limit, and creep forces follow the
+creepage without delay. Cylinder and rail head carry the load after Hertz, and a flange 8 mm from the rail
+limits the lateral motion.
 """
 
 import numpy as np
@@ -36,6 +36,8 @@ def given_contact_model(
     creep: GivenCreep, half_distance: float, nominal_radius: float, damping: float = 0.0
 ) -> WheelRailModel:
     """The contact of a reference model.
+
+    Cylinders that roll on crowned rails, with creep forces and conicity by the coefficients.
 
     Parameters
     ----------

@@ -3,8 +3,8 @@
 Table E.3 of J.J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990 (first in his
 thesis, Delft 1967), interpolated linearly in g = min(a/b, b/a) and by an inverse quadratic polynomial in
 Poisson's ratio; beyond the table his asymptotes for slender ellipses (ibid., appendix E). The asymptotes
-miss the table's last row by up to 5 %, so between g = 0.1 and 0.07 one is blended into the other: a creep
-force must not jump while a patch changes its shape.
+miss the table's last row by up to 5 %, so between g = 0.1 and 0.07 one is blended into the other, since
+creep forces must not jump when the shape of a patch changes.
 """
 
 import math
@@ -81,57 +81,35 @@ def _asymptotes(g: float, a_is_shorter: bool, poisson_ratio: float) -> tuple[flo
 
 
 @kernel
+def _between_rows(half: int, row: int, first: int, upper: float, poisson_ratio: float) -> float:
+    """The coefficient of three columns from `first` on, a share `upper` of the way from a row to the next."""
+    low, high = _TABLE[half, row], _TABLE[half, row + 1]
+    lower = 1.0 - upper
+    return _inverse_quadratic(
+        lower * low[first] + upper * high[first],
+        lower * low[first + 1] + upper * high[first + 1],
+        lower * low[first + 2] + upper * high[first + 2],
+        poisson_ratio,
+    )
+
+
+@kernel
 def _from_table(g: float, half: int, poisson_ratio: float) -> tuple[float, float, float, float]:
     """Table E.3 at g in 0.1..1; half 0: a/b = g, half 1: b/a = g."""
     row = min(int(10.0 * g) - 1, 8)
     row = max(row, 0)
     upper = 10.0 * g - (row + 1)
-    lower = 1.0 - upper
-    low, high = _TABLE[half, row], _TABLE[half, row + 1]
     return (
-        _inverse_quadratic(
-            lower * low[0] + upper * high[0],
-            lower * low[1] + upper * high[1],
-            lower * low[2] + upper * high[2],
-            poisson_ratio,
-        ),
-        _inverse_quadratic(
-            lower * low[3] + upper * high[3],
-            lower * low[4] + upper * high[4],
-            lower * low[5] + upper * high[5],
-            poisson_ratio,
-        ),
-        _inverse_quadratic(
-            lower * low[6] + upper * high[6],
-            lower * low[7] + upper * high[7],
-            lower * low[8] + upper * high[8],
-            poisson_ratio,
-        ),
-        _inverse_quadratic(
-            lower * low[9] + upper * high[9],
-            lower * low[10] + upper * high[10],
-            lower * low[11] + upper * high[11],
-            poisson_ratio,
-        ),
+        _between_rows(half, row, 0, upper, poisson_ratio),
+        _between_rows(half, row, 3, upper, poisson_ratio),
+        _between_rows(half, row, 6, upper, poisson_ratio),
+        _between_rows(half, row, 9, upper, poisson_ratio),
     )
 
 
 @kernel
 def coefficients(a_over_b: float, poisson_ratio: float) -> tuple[float, float, float, float]:
-    """C11, C22, C23, C33 of an ellipse (kernel: trusts its input).
-
-    Parameters
-    ----------
-    a_over_b : float
-        Semi-axis in rolling direction over lateral semi-axis [-], > 0.
-    poisson_ratio : float
-        Poisson's ratio [-], 0..0.5.
-
-    Returns
-    -------
-    tuple of float
-        C11 (longitudinal), C22 (lateral), C23 (spin and lateral force), C33 (spin moment) [-].
-    """
+    """`kalker_coefficients` of the same arguments (kernel: trusts its input)."""
     a_is_shorter = a_over_b <= 1.0
     g = a_over_b if a_is_shorter else 1.0 / a_over_b
     half = 0 if a_is_shorter else 1
@@ -143,7 +121,7 @@ def coefficients(a_over_b: float, poisson_ratio: float) -> tuple[float, float, f
     weight = (g - _ASYMPTOTE_START) / (_TABLE_END - _ASYMPTOTE_START)
     end = _from_table(_TABLE_END, half, poisson_ratio)
     near = _asymptotes(_TABLE_END, a_is_shorter, poisson_ratio)
-    # the asymptote, scaled to the table's last row at its end; the scaling fades
+    # the asymptote, scaled to the table's last row at its end; the scaling decreases to 1
     return (
         far[0] * (1.0 + weight * (end[0] / near[0] - 1.0)),
         far[1] * (1.0 + weight * (end[1] / near[1] - 1.0)),
@@ -168,7 +146,7 @@ def kalker_coefficients(a_over_b: float, poisson_ratio: float) -> tuple[float, f
     Returns
     -------
     tuple of float
-        C11, C22, C23, C33 [-].
+        C11 (longitudinal), C22 (lateral), C23 (spin and lateral force), C33 (spin moment) [-].
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Polach's formulas: creep forces without a stress field, cheap, and known to every vehicle engineer.
+"""Polach's formulas: creep forces in closed form, without a stress field; common in vehicle dynamics.
 
 O. Polach, A fast wheel-rail forces calculation computer code, Vehicle System Dynamics 33 supplement (1999)
 728-739; with reduced stiffness and falling friction: O. Polach, Creep forces in simulations of traction
@@ -13,7 +13,7 @@ Known properties of the published formulas:
 * the slopes at zero creepage are Kalker's for longitudinal creepage alone, lateral creepage with spin, and
   spin alone; longitudinal and lateral creepage together share one mean of C11 and C22, and longitudinal
   creepage weakens the lateral force of spin;
-* a spin moment is not given: M_z = 0.
+* there is no spin moment: M_z = 0.
 
 The formulas were checked against two public implementations of the paper, which agree with Kalker's linear
 theory only with the signs and the condition |nu_y + a phi| > |nu_y| used here (one of the two has the
@@ -30,7 +30,15 @@ from hh_exudyn.kernel import kernel
 
 @kernel
 def force(patch: RollingPatch, k_adhesion: float, k_slip: float) -> tuple[float, float, float]:
-    """Creep forces on the wheel, (F_x, F_y, 0); the factors as in `Contamination`."""
+    """Creep forces on the wheel, (F_x, F_y, 0); the factors as in `Contamination`.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material; the spin corrects the lateral creepage.
+    k_adhesion, k_slip : float
+        Reduction factors [-], see `Contamination`.
+    """
     a, b, nu_x, nu_y = patch.a, patch.b, patch.nu_x, patch.nu_y
     spin = a * patch.phi
     at_edge = nu_y + spin if abs(nu_y + spin) > abs(nu_y) else nu_y  # lateral creepage corrected for spin
@@ -70,7 +78,7 @@ class Contamination:
         Reduction factors k_A and k_S of the stiffness in the area of adhesion and of slip [-],
         0 < k_slip <= k_adhesion <= 1; 1 is a clean surface.
     friction_ratio : float
-        Friction coefficient at infinite slip velocity over that at none, A of the paper [-], 0..1.
+        Friction coefficient at infinite slip velocity over that at rest, A of the paper [-], 0..1.
     friction_decrease : float
         Coefficient B of the exponential decrease of friction over the slip velocity [s/m], >= 0.
 
@@ -102,11 +110,11 @@ def polach_force(patch: RollingPatch, surface: Contamination, speed: float = 0.0
     Parameters
     ----------
     patch : RollingPatch
-        Its `friction` is the greatest coefficient, that of no slip, > 0; semi-axes and normal force > 0.
+        Its `friction` is the coefficient at rest, > 0; semi-axes and normal force > 0.
     surface : Contamination
         Parameters of the surface.
     speed : float
-        Speed V that makes creepages slip velocities [m/s], >= 0.
+        Speed V [m/s], >= 0; creepage times V is the slip velocity.
 
     Returns
     -------
@@ -136,6 +144,6 @@ def polach_force(patch: RollingPatch, surface: Contamination, speed: float = 0.0
 
 
 def _check_not_negative(name: str, value: float, unit: str) -> None:
-    """ValueError for a number that is negative, infinite or NaN."""
+    """Raise ValueError for a number that is negative, infinite or NaN."""
     if not (math.isfinite(value) and value >= 0.0):
         raise ValueError(f"{name} = {value} {unit}; it must be finite and >= 0 {unit}")

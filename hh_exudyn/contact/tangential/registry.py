@@ -1,10 +1,10 @@
-"""The tangential theories: one record each, and the kernels that call the one asked for.
+"""The tangential theories: one record each, and the kernels that call a theory by its number.
 
 A theory is a file of kernels with `force(patch, ...)` and, where it has one, `field(patch, fields)`; here a
 number, a record in `TANGENTIAL` and a line in `force_kernel`, `field_kernel` or `strips_kernel`. Case schema,
 command line, damage and the table of `validation` follow from the records.
 
-How good each is against the exact solution: `validation`. In every field friction dissipates the power of the
+Errors against the exact solution: `validation`. In every field friction dissipates the power of the
 creepages, summed over the cells (to rounding; where the slip zone is shorter than a cell, nothing slips); the
 power of `force_kernel`'s own sums differs from it by 0.04 to 0.3 % of itself at 50 x 50 cells.
 """
@@ -32,13 +32,13 @@ GIVEN = 9
 class Theory(NamedTuple):
     """A tangential theory."""
 
-    number: int  # by which kernels know it; 0 is none
+    number: int  # in kernels; 0 is no theory
     name: str
     meaning: str  # with its source and omissions
     has_field: bool = True  # whether it gives stress and slip over the patch, or forces only
     has_moment: bool = True  # whether it gives a spin moment
     takes_strips: bool = False  # whether it takes patches of any shape
-    in_runs: bool = True  # whether it may stand in the case of a run
+    in_runs: bool = True  # whether a case may name it
     of_patch: bool = True  # whether its forces follow from the patch, or from the model (`given`)
 
 
@@ -82,7 +82,7 @@ THEORIES: dict[str, int] = {theory.name: theory.number for theory in TANGENTIAL 
 FIELD_THEORIES = tuple(theory.name for theory in TANGENTIAL if theory.has_field)
 STRIP_THEORIES = tuple(theory.name for theory in TANGENTIAL if theory.takes_strips)
 RUN_THEORIES = tuple(theory.name for theory in TANGENTIAL if theory.in_runs)
-_NO_CREEPAGE = 1e-60  # creepages below it would underflow when squared; they count as none [-]
+_NO_CREEPAGE = 1e-60  # smaller creepages, which would underflow when squared, count as zero [-]
 
 
 @inlined_kernel
@@ -188,9 +188,9 @@ def _rigid_slip(patch: RollingPatch, fields: Fields) -> None:
 def _balance(patch: RollingPatch, fields: Fields) -> None:
     """Scale the slip so that friction dissipates, summed over the cells, the power of the creepages.
 
-    The elastic part of slip does no net work in steady rolling; sampled in cells, a closed formula misses
-    that by a few percent at 50 x 50 cells, and by all of it where the slip zone is shorter than a cell (then
-    nothing slips and nothing is scaled).
+    The elastic part of slip does no net work in steady rolling; sampled in cells, a closed formula
+    deviates from that by a few per cent at 50 x 50 cells, and entirely where the slip zone is shorter than a
+    cell (then no cell slips and nothing is scaled).
     """
     _, q_x, q_y, slip_x, slip_y = fields
     cells_y, cells_x = slip_x.shape
@@ -218,8 +218,14 @@ def _fill(fields: Fields, value: float) -> None:
 def field_kernel(theory: int, patch: RollingPatch, fields: Fields) -> None:
     """Fill pressure, traction on the wheel and slip over V on the module's grid (kernel, allocates nothing).
 
-    Theory and patch as in `force_kernel`. Zero everywhere without normal force or area, NaN for a theory
-    without a field.
+    Zero everywhere without normal force or area, NaN for a theory without a field.
+
+    Parameters
+    ----------
+    theory, patch
+        As in `force_kernel`.
+    fields : Fields
+        (ny, nx) arrays, result [Pa], [-].
     """
     if not (patch.normal_force > 0.0 and patch.a > 0.0 and patch.b > 0.0):
         _fill(fields, 0.0)

@@ -15,9 +15,9 @@ theory holds for a << b and is far off for a > b. Strips of three kinds:
 * a strip without rigid slip in its middle (pure spin, the middle of the patch) has no such direction: it
   carries no traction.
 
-The theory is made for limited spin, |psi| < 1: beyond, its stick tractions would break Coulomb's law. There
-every strip slips as a whole, (2.32): |q| <= friction * pressure at any spin, but pure spin has then no
-lateral force at all, and lateral creepage against the spin lets the force jump at |psi| = 1. FaStrip mends
+The theory is valid for limited spin, |psi| < 1: beyond, its stick tractions would break Coulomb's law. There
+every strip slips as a whole, (2.32): |q| <= friction * pressure at any spin, but pure spin then has no
+lateral force at all, and with lateral creepage against the spin the force jumps at |psi| = 1. FaStrip avoids
 both.
 """
 
@@ -30,7 +30,13 @@ from hh_exudyn.kernel import kernel
 
 @kernel
 def scaled_creepages(patch: RollingPatch) -> tuple[float, float, float]:
-    """xi in the middle strip, eta, psi of equation 2.30 [-]."""
+    """xi in the middle strip, eta, psi of equation 2.30 [-].
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material; load and friction above zero.
+    """
     half = -0.5 * patch.shear_modulus / (patch.friction * peak_pressure(patch))
     return half * patch.nu_x, half * (1.0 - patch.poisson_ratio) * patch.nu_y, half * patch.a * patch.phi
 
@@ -44,7 +50,7 @@ def stick_zone(
     Parameters
     ----------
     xi, eta, psi : float
-        Scaled longitudinal (of this strip), lateral and spin creepage [-].
+        Of `scaled_creepages`, xi of this strip [-].
     poisson_ratio : float
         [-].
     length : float
@@ -58,7 +64,7 @@ def stick_zone(
     if abs(psi) >= 1.0:
         return True, 1.0, 0.0, 0.0, 0.0
     square = xi * xi + eta * eta
-    if square == 0.0:  # spin alone, in the middle: all of the strip sticks
+    if square == 0.0:  # pure spin, in the middle of the patch: the whole strip sticks
         return False, 0.0, 0.0, psi, 0.0
     # 1/D; equation 2.26 with numerator and denominator times (root - eta psi)
     inverse = (math.sqrt(eta * eta + (1.0 - psi * psi) * xi * xi) - eta * psi) / square
@@ -70,7 +76,15 @@ def stick_zone(
 
 @kernel
 def whole_slip(xi: float, eta: float, poisson_ratio: float) -> tuple[float, float]:
-    """Direction of the traction in a strip that slips as a whole, equation 2.32; zero without rigid slip."""
+    """Direction of the traction in a strip that slips as a whole, equation 2.32; zero without rigid slip.
+
+    Parameters
+    ----------
+    xi, eta : float
+        Scaled longitudinal (of this strip) and lateral creepage [-].
+    poisson_ratio : float
+        [-].
+    """
     lateral = eta / (1.0 - poisson_ratio)
     size = math.hypot(xi, lateral)
     if size == 0.0:
@@ -82,7 +96,15 @@ def whole_slip(xi: float, eta: float, poisson_ratio: float) -> tuple[float, floa
 def force(patch: RollingPatch, cells_y: int) -> tuple[float, float, float]:
     """Creep forces and spin moment on the wheel.
 
-    The semi-ellipses of equation 2.24 are integrated exactly along a strip: only strips are counted.
+    The semi-ellipses of equation 2.24 are integrated exactly along a strip: only the number of strips
+    matters.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        Size, load, creepages and material.
+    cells_y : int
+        Strips.
     """
     a, b, poisson_ratio = patch.a, patch.b, patch.poisson_ratio
     xi_0, eta, psi = scaled_creepages(patch)
@@ -117,7 +139,9 @@ def field(patch: RollingPatch, fields: Fields) -> None:
     Slip is the rigid slip less the strain of the strip's surface, in closed form. A semi-ellipse of traction
     strains the surface by -2 (1 - nu)/G q_x x/a and -2/G q_y x/a; in the stick zone that is the rigid slip
     exactly. Slip and traction are opposite within a few degrees only (the theory takes one direction for the
-    whole slip zone); where slip would run along the traction, it counts as none.
+    whole slip zone); where slip would be along the traction, it is set to zero.
+
+    Arguments as in `fastrip.field`.
     """
     pressure, q_x, q_y, slip_x, slip_y = fields
     cells_y, cells_x = pressure.shape

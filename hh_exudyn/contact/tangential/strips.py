@@ -1,13 +1,13 @@
-"""Strips of a contact patch, and how kernels work on many of them in lock step.
+"""Strips of a contact patch, and blocks of strips for kernels in lock step.
 
 A patch of any shape is an array of strips along the rolling direction, one a row, columns `Y` to
-`PRESSURE`: lateral position of the strip's centre in the contact frame (its origin is the point whose
-creepages are given) [m], width [m], half length [m], and pressure in the strip's middle [Pa]. Strips lie
-symmetric about x = 0 and the pressure is semi-elliptic along each. Rows without length are empty. The ellipse
-of Hertz is one way of making them.
+`PRESSURE`: lateral position of the strip's centre in the contact frame (its origin is the reference
+point of the creepages) [m], width [m], half length [m], and pressure in the strip's middle [Pa]. Strips lie
+symmetric about x = 0 and the pressure is semi-elliptic along each. Rows without length are empty. Hertz's
+ellipse is a special case.
 
-The march of FASTSIM along a strip is a chain of dependent steps, but strips know nothing of each other: so
-one step is taken in all of a block of strips before the next one. The state of a block lies in scratch memory
+The march of FASTSIM along a strip is a chain of dependent steps, but strips are independent of each other: so
+each step is taken in all strips of a block before the next one. The state of a block lies in scratch memory
 on the stack, shaped (rows, GROUPS, LANES); the innermost loops run over the lanes and have no branches, and
 the compiler makes vector instructions of them.
 """
@@ -39,9 +39,9 @@ STATE_SIZE = ROWS * BLOCK
 
 @inlined_kernel
 def load_ellipse(patch: RollingPatch, first: int, count: int, total: int, state: Memory) -> int:
-    """Put the strips first .. first + count - 1 of an ellipse cut into `total` strips into a block.
+    """Write the strips first .. first + count - 1 of an ellipse of `total` strips into a block.
 
-    Their places are exactly those of the mirrored strips with the sign turned.
+    Lateral positions of mirrored strips are equal to the last bit except for the sign.
 
     Parameters
     ----------
@@ -77,7 +77,17 @@ def load_ellipse(patch: RollingPatch, first: int, count: int, total: int, state:
 
 @kernel
 def load_strips(strips: FloatArray, first: int, count: int, state: Memory) -> int:
-    """Put `count` rows of an array of strips, from row `first`, into a block; returns as `load_ellipse`."""
+    """Write `count` rows of an array of strips, from row `first`, into a block; returns as `load_ellipse`.
+
+    Parameters
+    ----------
+    strips : FloatArray
+        (n, STRIP_COLUMNS) array of strips.
+    first, count : int
+        First row, and number of rows.
+    state : memory
+        Of the block; lanes beyond the last strip become empty strips.
+    """
     s = shaped(state, SHAPE)
     groups = (count + LANES - 1) // LANES
     for g in range(groups):
@@ -95,7 +105,15 @@ def load_strips(strips: FloatArray, first: int, count: int, state: Memory) -> in
 
 @kernel
 def scale_slip(factor: float, slip_x: FloatArray, slip_y: FloatArray) -> None:
-    """Multiply the slip of a field."""
+    """Multiply the slip of a field (ny, nx) by a factor, in place.
+
+    Parameters
+    ----------
+    factor : float
+        [-].
+    slip_x, slip_y : FloatArray
+        (ny, nx) slip over V, changed [-].
+    """
     for j in range(slip_x.shape[0]):
         for i in range(slip_x.shape[1]):
             slip_x[j, i] *= factor

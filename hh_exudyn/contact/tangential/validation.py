@@ -1,7 +1,7 @@
-"""How far every tangential theory is from the exact solution, as a table.
+"""Errors of every tangential theory against the exact solution, as a table.
 
-The exact forces (185 ellipses) and stress fields (5) lie in ``hh_exudyn/data/validation``; its README tells
-what computed them, the units and the signs. Measures, all relative:
+The exact forces (185 ellipses) and stress fields (5) are in ``hh_exudyn/data/validation``; its README has
+their source, units and signs. Measures, all relative:
 
 * force: length of the difference of the force vectors (F_x, F_y), over friction * normal force;
 * stress: integral of the difference of |q| over the patch, over the integral of the exact |q|; slip the same
@@ -20,33 +20,19 @@ from scipy.interpolate import RegularGridInterpolator
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import Material
-from hh_exudyn.contact.tangential.api import cell_areas, creep_force, traction_field
+from hh_exudyn.contact.tangential.api import PatchLoad, cell_areas, creep_force, traction_field
 from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES
 
-CELLS = (50, 50)  # cells along and strips across that the theories are run with
+CELLS = (50, 50)  # cells along and strips across, of the theories
 _DATA = files("hh_exudyn") / "data" / "validation"
 
 
 @dataclass(frozen=True)
-class RollingCase:
-    """One ellipse in steady rolling, SI units, creepages of the wheel relative to the rail."""
+class RollingCase(PatchLoad):
+    """One ellipse in steady rolling, by its name in the tables, and the material of wheel and rail."""
 
     name: str
-    a: float
-    b: float
-    normal_force: float
-    nu_x: float
-    nu_y: float
-    phi: float
-    friction: float
     material: Material
-
-    @property
-    def arguments(self) -> tuple[float, float, float, float, float, float, float, Material]:
-        """Arguments of `creep_force` and `traction_field` after the theory."""
-        return (
-            self.a, self.b, self.normal_force, self.nu_x, self.nu_y, self.phi, self.friction, self.material,
-        )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -87,15 +73,17 @@ class FieldErrors:
 
 @dataclass(frozen=True)
 class TheoryErrors:
-    """One row of the table; fractions, None where the theory has no field or no field is of its kind.
+    """One row of the table.
+
+    Errors are fractions; None where the theory has no field or no field is of its kind.
 
     Attributes
     ----------
     theory : str
     cases : str
-        Which of the exact cases the row is about.
+        The exact cases of the row, in words.
     forces, fields : int
-        How many forces and fields were compared.
+        Numbers of the forces and fields compared.
     force_mean, force_95, force_max : float
         Force error over friction * normal force: mean, 95th percentile, greatest.
     stress_mean, stress_worst, slip_mean, slip_worst, peak_mean, peak_worst : float or None
@@ -125,8 +113,8 @@ def exact_forces() -> list[ExactForce]:
     for row in rows:
         v = {name: float(value) for name, value in row.items() if name != "id"}
         case = RollingCase(
-            row["id"], v["a"] * 1e-3, v["b"] * 1e-3, v["N"], v["cksi"], v["ceta"], v["cphi"] * 1e3, v["mu"],
-            Material(v["G"] * 1e6, v["nu"]),
+            v["a"] * 1e-3, v["b"] * 1e-3, v["N"], v["cksi"], v["ceta"], v["cphi"] * 1e3, v["mu"],
+            name=row["id"], material=Material(v["G"] * 1e6, v["nu"]),
         )  # fmt: skip
         names = [key.removesuffix("_fx") for key in v if key.startswith("fastsim") and key.endswith("_fx")]
         others = {name: (v[f"{name}_fx"], v[f"{name}_fy"]) for name in names}
@@ -140,7 +128,7 @@ def exact_fields() -> list[ExactField]:
     with as_file(_DATA / "stress_fields.npz") as path, np.load(path) as data:
         for name in sorted({key.split("/")[0] for key in data.files}):
             a, b, normal_force, nu_x, nu_y, phi, friction, *elastic = map(float, data[f"{name}/case"])
-            case = RollingCase(name, a, b, normal_force, nu_x, nu_y, phi, friction, Material(*elastic))
+            case = RollingCase(a, b, normal_force, nu_x, nu_y, phi, friction, name, Material(*elastic))
             arrays = [
                 np.asarray(data[f"{name}/{key}"], dtype=np.float64)
                 for key in ("x", "y", "q_x", "q_y", "slip_x", "slip_y")
@@ -150,17 +138,37 @@ def exact_fields() -> list[ExactField]:
 
 
 def force_error(theory: str, exact: ExactForce, cells: tuple[int, int] = CELLS) -> float:
-    """Distance of a theory's force vector from the exact one, over friction * normal force [-]."""
+    """Distance of a theory's force vector from the exact one, over friction * normal force [-].
+
+    Parameters
+    ----------
+    theory : str
+        One of `THEORIES`.
+    exact : ExactForce
+        The exact case.
+    cells : tuple of int
+        Cells along x and strips across y.
+    """
     case = exact.case
-    found = creep_force(theory, *case.arguments, cells=cells)
+    found = creep_force(theory, *case.arguments, case.material, cells)
     limit = case.friction * case.normal_force
     return math.hypot(found.x / limit - exact.x, found.y / limit - exact.y)
 
 
 def field_errors(theory: str, exact: ExactField, cells: tuple[int, int] = CELLS) -> FieldErrors:
-    """Errors of a theory's stress and slip, on the theory's own cells (the exact field is interpolated)."""
+    """Errors of a theory's stress and slip, on the theory's own cells (the exact field is interpolated).
+
+    Parameters
+    ----------
+    theory : str
+        A theory with a field.
+    exact : ExactField
+        The exact field.
+    cells : tuple of int
+        As in `force_error`.
+    """
     case = exact.case
-    field = traction_field(theory, *case.arguments, cells=cells)
+    field = traction_field(theory, *case.arguments, case.material, cells)
     areas = cell_areas(case.a, case.b, cells[1], cells[0])
 
     def at_cells(values: FloatArray) -> FloatArray:
@@ -195,28 +203,28 @@ def _slender(case: RollingCase) -> bool:
 
 
 def _small(case: RollingCase) -> bool:
-    linear = creep_force("linear", *case.arguments)
+    linear = creep_force("linear", *case.arguments, case.material)
     return math.hypot(linear.x, linear.y) <= 0.1 * case.friction * case.normal_force
 
 
 _Wanted = tuple[str, Callable[[RollingCase], bool]]
 _ALL: _Wanted = ("all", _any)
-_COMPARED: dict[str, tuple[_Wanted, ...]] = {  # the cases of a theory that is not compared with all alone
-    "carter": (("longitudinal only", _longitudinal),),  # it knows no other creepage
-    "linear": (("force <= 0.1 mu N", _small),),  # it knows no friction limit
-    "strip": (_ALL, ("a/b = 0.2, no spin", _slender)),  # the range that strip theory is made for
+_COMPARED: dict[str, tuple[_Wanted, ...]] = {  # cases of theories that are not compared over all cases only
+    "carter": (("longitudinal only", _longitudinal),),  # it has no other creepage
+    "linear": (("force <= 0.1 mu N", _small),),  # it has no friction limit
+    "strip": (_ALL, ("a/b = 0.2, no spin", _slender)),  # the range of validity of strip theory
     "polach": (_ALL, ("no spin", _no_spin)),
 }
 _ROWS = [(theory, *wanted) for theory in THEORIES for wanted in _COMPARED.get(theory, (_ALL,))]
 
 
 def contact_table(cells: tuple[int, int] = CELLS) -> list[TheoryErrors]:
-    """Errors of every theory over the exact cases that it is meant for, and over all where it takes all.
+    """Errors of every theory over the exact cases of its range, and over all cases where it covers them.
 
     Parameters
     ----------
     cells : tuple of int
-        Cells along x and strips across y that the theories are run with.
+        Cells along x and strips across y.
 
     Returns
     -------

@@ -1,7 +1,7 @@
 """All couplings of a vehicle in one kernel: relative motion, force law, forces and torques on both bodies.
 
 A coupling's displacement is that of its point on body B relative to body A, in the axes of A; force and
-moment act on B there, and their opposites on A at the same place, so that no coupling makes energy.
+moment act on B there, and their opposites on A at the same place, so that no coupling generates energy.
 """
 
 from hh_exudyn.arrays import FloatArray
@@ -28,8 +28,7 @@ def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, wor
     couplings : of the model; their forces are added in their order
     sliders : (couplings, SLIDERS) friction sliders of the last accepted step [m] or [rad]
     settle : for the static equilibrium: wedges have no vertical friction, and all other friction elements
-        stick, whatever their load: the slider of one that is unloaded on the way to the equilibrium must stay
-        in the middle
+        stick under any load, so that the slider of one unloaded during the search remains in the middle
     work : positions, rotations and velocities of the bodies are read, and the inputs
     """
     inputs = work.inputs

@@ -31,17 +31,17 @@ class Motion(NamedTuple):
 
 
 class Condition(NamedTuple):
-    """State and inputs of one coupling, and the ledger without it."""
+    """State and inputs of one coupling, and the ledger of the couplings before it."""
 
     slider: Sliders  # of the last accepted step [m] or [rad]
-    settle: bool  # for the equilibrium: friction sticks whatever the load, wedges have none vertically
+    settle: bool  # for the equilibrium: friction sticks under any load, wedges have none vertically
     stiffness: float  # factor on the longitudinal stiffness, set by a controller
     friction_power: float  # of all couplings before this one [W]
     damper_power: float  # [W]
 
 
 class Reaction(NamedTuple):
-    """Answer of one coupling to a motion."""
+    """Force, moment, sliders and dissipated powers of one coupling for a motion."""
 
     force: Triple  # on body B, in the axes of A [N]
     moment: Triple  # on body B [N m]
@@ -50,8 +50,8 @@ class Reaction(NamedTuple):
     damper_power: float  # [W]
 
 
-# Laws take and return plain numbers: arrays in a tuple cost reference counts, which made all couplings
-# three times slower. The powers run through the laws so that the ledger is one sum in the couplings' order.
+# Laws take and return plain numbers: arrays in a tuple have reference counts, which made all couplings
+# three times slower. The powers pass through the laws, so that the ledger is one sum in the couplings' order.
 Law = Callable[[Any, Motion, Condition], Reaction]
 
 
@@ -60,9 +60,9 @@ class Family(NamedTuple):
 
     name: str  # of its field in the record of a coupling
     description: type  # in `vehicles.couplings`
-    numbers: type  # NamedTuple of what the law needs
+    numbers: type  # NamedTuple of the numbers of the law
     law: Law  # inlined kernel
-    derived: Callable[[Any], dict[str, Any]] = lambda coupling: {}  # numbers that are no attributes, by name
+    derived: Callable[[Any], dict[str, Any]] = lambda coupling: {}  # numbers other than attributes, by name
 
 
 def packed(couplings: Sequence[Any], families: Sequence[Family]) -> tuple[IntArray, RecordArray]:
@@ -95,7 +95,7 @@ def packed(couplings: Sequence[Any], families: Sequence[Family]) -> tuple[IntArr
 
 
 def _record_of_any(families: Sequence[Family]) -> np.dtype[np.void]:
-    """Record type with one field a family, all in the same place: a coupling has the numbers of one."""
+    """Record type with one field per family, all at the same offset: a coupling has the numbers of one."""
     records = [_record(family.numbers) for family in families]
     return np.dtype(
         {
@@ -108,7 +108,7 @@ def _record_of_any(families: Sequence[Family]) -> np.dtype[np.void]:
 
 
 def _record(numbers: type) -> np.dtype[np.void]:
-    """Record type of a NamedTuple of numbers: one 64-bit float a float, several a `Vector` or an array."""
+    """Record type of a NamedTuple of numbers: one 64-bit float per float, several per `Vector` or array."""
     fields: list[tuple[str, type, tuple[int, ...]]] = []
     for name, hint in get_type_hints(numbers, include_extras=True).items():
         if hint is float:
@@ -138,7 +138,7 @@ def one_law(families: Sequence[Family]) -> Callable[[int, Any, Motion, Condition
 
 
 def _law_from(families: tuple[Family, ...], number: int) -> Callable[[int, Any, Motion, Condition], Reaction]:
-    """One kernel of the laws of the families from a number on."""
+    """One kernel of the laws of the families from `number` on."""
     name, law = families[number].name, families[number].law
     if number == len(families) - 1:
 
@@ -203,7 +203,7 @@ def turn_of(motion: Motion) -> Triple:
 
 @inlined_kernel
 def axle_of(motion: Motion) -> Triple:
-    """Direction of the axle of body B, a wheelset that spins, in the axes of A.
+    """Direction of the axle of body B, a spinning wheelset, in the axes of A.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
-"""Couplings that any vehicle may have: axle-box pad, axle box, bushing, rod, bump stop.
+"""General couplings: axle-box pad, axle box, bushing, rod, bump stop.
 
-A law is a kernel of the numbers of its family, the motion of body B relative to A, and the condition of the
-coupling; it returns force and moment on B in the axes of A, new sliders, and the powers (`family`).
+A law is a kernel of the numbers `p` of its family, the `motion` of body B relative to A, and the `condition`
+of the coupling; it returns force and moment on B in the axes of A, new sliders, and the powers (`family`).
 """
 
 import math
@@ -33,11 +33,9 @@ class PadNumbers(NamedTuple):
 
 @inlined_kernel
 def pad(p: PadNumbers, motion: Motion, condition: Condition) -> Reaction:
-    """Linear pad; the wheelset spins, so roll and yaw are those of its axle direction.
+    """Linear pad; roll and yaw are those of the axle, as the wheelset spins.
 
-    Parameters
-    ----------
-    p, motion, condition : see the head of this file
+    Arguments: see the head of this file.
     """
     d, v = motion.displacement, motion.rate
     stiffness = p.stiffness[0] * condition.stiffness
@@ -71,7 +69,7 @@ def shear_friction(
     motion : displacement and rate are read
     stiffness, damping : of the sticking faces in x and y [N/m], [N s/m]
     bound : friction coefficient times load [N]
-    condition : the first two sliders are read; with `settle` the faces stick whatever their load
+    condition : the first two sliders are read; with `settle` the faces stick under any load
 
     Returns
     -------
@@ -110,9 +108,7 @@ class AxleBoxNumbers(NamedTuple):
 def axle_box(p: AxleBoxNumbers, motion: Motion, condition: Condition) -> Reaction:
     """Pad that shears until its seat slides, and the pedestal's stops; moments as those of `pad`.
 
-    Parameters
-    ----------
-    p, motion, condition : see the head of this file
+    Arguments: see the head of this file.
     """
     d, v = motion.displacement, motion.rate
     spring = p.stiffness[2] * max(d[2], 0.0)
@@ -150,11 +146,9 @@ class BushingNumbers(NamedTuple):
 
 @inlined_kernel
 def bushing(p: BushingNumbers, motion: Motion, condition: Condition) -> Reaction:
-    """Linear in all six directions, with the preload that it has on the drawing.
+    """Linear in all six directions, with its preload on the drawing.
 
-    Parameters
-    ----------
-    p, motion, condition : see the head of this file
+    Arguments: see the head of this file.
     """
     d, v, angle, turn = motion.displacement, motion.rate, angle_of(motion), turn_of(motion)
     stiffness, damping, twist, swing = p.stiffness, p.damping, p.rotational_stiffness, p.rotational_damping
@@ -188,11 +182,9 @@ class RodNumbers(NamedTuple):
 
 @inlined_kernel
 def rod(p: RodNumbers, motion: Motion, condition: Condition) -> Reaction:
-    """Along the line from end A to end B, in which force and reaction need no moment to balance.
+    """Force along the line from end A to end B, which balances its reaction without a moment.
 
-    Parameters
-    ----------
-    p, motion, condition : see the head of this file
+    Arguments: see the head of this file.
     """
     d, v = motion.displacement, motion.rate
     length = math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
@@ -227,9 +219,7 @@ def _bump_stop_table(stop: BumpStop) -> dict[str, float | list[float]]:
 def bump_stop(p: BumpStopNumbers, motion: Motion, condition: Condition) -> Reaction:
     """Along its axis only: the table of `tabulated_stop`, on one side or, when odd, on both.
 
-    Parameters
-    ----------
-    p, motion, condition : see the head of this file
+    Arguments: see the head of this file.
     """
     d, axis = motion.displacement, p.axis
     along = d[0] * axis[0] + d[1] * axis[1] + d[2] * axis[2]

@@ -1,7 +1,7 @@
 """Couplings of a three-piece bogie: spring nest, wedge, centre plate, side bearer.
 
-A law is a kernel of the numbers of its family, the motion of body B relative to A, and the condition of the
-coupling; it returns force and moment on B in the axes of A, new sliders, and the powers (`family`).
+A law is a kernel of the numbers `p` of its family, the `motion` of body B relative to A, and the `condition`
+of the coupling; it returns force and moment on B in the axes of A, new sliders, and the powers (`family`).
 """
 
 import math
@@ -45,9 +45,7 @@ class NestNumbers(NamedTuple):
 def nest(p: NestNumbers, motion: Motion, condition: Condition) -> Reaction:
     """Two-stage springs with shear, rotational stiffness and lateral stops.
 
-    Parameters
-    ----------
-    p, motion, condition : see the head of this file
+    Arguments: see the head of this file.
     """
     d, v, angle, turn = motion.displacement, motion.rate, angle_of(motion), turn_of(motion)
     power = condition.damper_power
@@ -97,14 +95,12 @@ def _wedge_slopes(wedge: Wedge) -> dict[str, float]:
 
 @inlined_kernel
 def wedge(p: WedgeNumbers, motion: Motion, condition: Condition) -> Reaction:
-    """Wedge on two lines: each goes down with the bolster there, and when that comes towards the column.
+    """Wedge on two lines: each moves down with the bolster, and when the bolster approaches the column.
 
     Its travel follows slope and toe of the faces, its force the slope with the friction of the face; half of
     spring and friction belongs to each line (sliders: compression and lateral of the first, of the second).
 
-    Parameters
-    ----------
-    p, motion, condition : see the head of this file
+    Arguments: see the head of this file.
     """
     d, v, angle, turn = motion.displacement, motion.rate, angle_of(motion), turn_of(motion)
     (down_0, across_0, down_1, across_1), settle = condition.slider, condition.settle
@@ -138,7 +134,7 @@ def wedge(p: WedgeNumbers, motion: Motion, condition: Condition) -> Reaction:
             p.tan_slope,
             math.inf if settle else p.friction,
             stick_stiffness,
-            0.0 if settle else stick_damping,  # a wedge that comes up fast would pull, at infinite friction
+            0.0 if settle else stick_damping,  # else a wedge in fast upward motion would pull
         )
         push = column * cos_toe - rub * math.sin(p.toe)  # of the wedge, from the column onto the bolster
         lift = push * p.tan_force
@@ -179,12 +175,10 @@ class PlateNumbers(NamedTuple):
 def plate(p: PlateNumbers, motion: Motion, condition: Condition) -> Reaction:
     """Centre plate: a ring of one-sided contacts, dry friction in shear and yaw, and the rim.
 
-    The bounds of shear (mu N) and yaw (2/3 mu N radius) are independent: a plate that slides in yaw
-    resists shear as if it did not slide, of little effect within the rim's clearance.
+    The bounds of shear (mu N) and yaw (2/3 mu N radius) are independent: sliding in yaw does not
+    reduce the resistance to shear, of little effect within the rim's clearance.
 
-    Parameters
-    ----------
-    p, motion, condition : see the head of this file
+    Arguments: see the head of this file.
     """
     d, v, angle, turn = motion.displacement, motion.rate, angle_of(motion), turn_of(motion)
     slider, settle, power = condition.slider, condition.settle, condition.damper_power
@@ -257,9 +251,7 @@ class SideBearerNumbers(NamedTuple):
 def side_bearer(p: SideBearerNumbers, motion: Motion, condition: Condition) -> Reaction:
     """Constant-contact side bearer with its solid stop and the friction of its face.
 
-    Parameters
-    ----------
-    p, motion, condition : see the head of this file
+    Arguments: see the head of this file.
     """
     d, v, power = motion.displacement, motion.rate, condition.damper_power
     compression = p.preload / p.stiffness - d[2]

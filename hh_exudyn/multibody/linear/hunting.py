@@ -1,4 +1,4 @@
-"""Does a disturbed vehicle settle or hunt? Motion in time on straight smooth track at one speed."""
+"""Hunting or decay after a disturbance: motion in time on straight smooth track at one speed."""
 
 import math
 from collections.abc import Callable
@@ -22,7 +22,7 @@ STEP = 4e-4  # s, of the explicit integration
 
 
 class MotionState(NamedTuple):
-    """Where a motion has come to, to go on from there."""
+    """State at the end of a motion, from which another can continue."""
 
     speed: float  # [m/s]
     q: FloatArray
@@ -33,6 +33,8 @@ class MotionState(NamedTuple):
 @dataclass(frozen=True)
 class LateralMotion:
     """Lateral motion of the wheelsets after a disturbance.
+
+    Every step of the integration is one sample.
 
     Attributes
     ----------
@@ -48,7 +50,7 @@ class LateralMotion:
     end: MotionState
 
     def amplitude(self, after: float) -> float:
-        """Half the largest range of any wheelset's motion from the time `after` [s] on [m]."""
+        """Half the largest peak-to-peak displacement of any wheelset [m], from the time `after` [s]."""
         late = self.lateral[self.time >= after]
         return float(0.5 * (late.max(axis=0) - late.min(axis=0)).max())
 
@@ -64,12 +66,13 @@ class LateralMotion:
         turns = np.flatnonzero((np.diff(y)[:-1] * np.diff(y)[1:] < 0.0) & (self.time[1:-1] >= after)) + 1
         if turns.size < 3:
             raise ValueError(f"growth rate: {turns.size} extremes after {after:g} s, at least 3 needed")
-        swings = np.abs(np.diff(y[turns]))  # from extreme to extreme: an offset does not count
+        swings = np.abs(np.diff(y[turns]))  # from extreme to extreme: without an offset
         middles = 0.5 * (self.time[turns][1:] + self.time[turns][:-1])
         return float(np.polyfit(middles, np.log(swings), 1)[0])
 
     def frequency(self, after: float) -> float:
-        """Of the first wheelset's swings from the time `after` [s], by upward crossings of the mean [Hz].
+        """Frequency of the first wheelset's oscillation [Hz], by upward crossings of its mean after `after`
+        [s].
 
         Raises
         ------
@@ -86,7 +89,7 @@ class LateralMotion:
 
 
 class Derailed(RuntimeError):
-    """A wheel has left its rail, or the motion is not finite any more."""
+    """A wheel has left its rail, or the motion is no longer finite."""
 
 
 def lateral_motion(
@@ -100,7 +103,7 @@ def lateral_motion(
     slowing: float = math.inf,
     progress: Callable[[float], None] | None = None,
 ) -> LateralMotion:
-    """Integrate the full nonlinear motion with Exudyn; friction elements slide where they must.
+    """Integrate the full nonlinear motion with Exudyn, sliding of friction elements included.
 
     Parameters
     ----------
@@ -109,8 +112,8 @@ def lateral_motion(
     duration : [s]
     displacement : of every wheelset at the start, to the left [m]
     step : of the explicit integration [s]
-    begun : the end of another motion of this vehicle, to go on from; None: from the equilibrium
-    slowing : deceleration of the train from the speed of `begun` to this one [m/s^2]; infinite: at once
+    begun : end of another motion of this vehicle as initial state; None for the equilibrium
+    slowing : deceleration of the train from the speed of `begun` to this one [m/s^2]; infinite for a jump
     progress : called after every step with the time [s]
 
     Raises
@@ -118,7 +121,7 @@ def lateral_motion(
     ValueError
         The step is too large for the explicit integration, at the start or in the motion.
     NoEquilibrium, Derailed, KeyboardInterrupt
-        No equilibrium at that speed; as `simulate` calls a derailment; Ctrl-C.
+        No equilibrium at that speed; a derailment by the criteria of `simulate`; Ctrl-C.
     """
     first = speed if begun is None or math.isinf(slowing) else begun.speed
     model, work, state = vehicle.at(max(first, speed), step)
@@ -133,7 +136,7 @@ def lateral_motion(
     end: list[FloatArray] = []
     troubles: list[tuple[int, int, int]] = []
     watched = Bundle(work, watch_state(model))
-    accepted = False  # a state whose sliders and troubles the first evaluation of the next step brings
+    accepted = False  # whether the next evaluation is of an accepted state: its sliders and checks are due
 
     def forces(mbs: Any, time: float, item: int, _: Any, __: Any) -> list[float]:
         nonlocal accepted
@@ -180,7 +183,7 @@ def _solve(mbs: Any, duration: float, step: float) -> None:
 
 
 def _error(trouble: int, wheelset: int, side: int, speed: float, time: float) -> Exception:
-    """What ends a motion: a derailment, or a step too large for it."""
+    """The error at the end of a motion: derailment, or too large a step."""
     kind, detail = REASONS[Trouble(trouble)]
     where = f"wheel {wheelset + 1}{'LR'[side]}, " if wheelset >= 0 else ""
     error = ValueError if trouble == Trouble.ALTERNATING else Derailed
@@ -188,7 +191,7 @@ def _error(trouble: int, wheelset: int, side: int, speed: float, time: float) ->
 
 
 def _course(first: float, last: float, slowing: float, time: float) -> tuple[float, float]:
-    """Way of a train that slows down, less its speed times the time [m], and its speed [m/s]."""
+    """Distance run by a decelerating train minus its speed times the time [m], and its speed [m/s]."""
     if first == last:
         return 0.0, last
     change = math.copysign(slowing, last - first)
@@ -199,7 +202,7 @@ def _course(first: float, last: float, slowing: float, time: float) -> tuple[flo
 
 
 def _at_speed(begun: MotionState, speed: float, model: SystemModel, rest: FloatArray) -> MotionState:
-    """A state at another speed, and where the vehicle stands in the equilibrium `rest`."""
+    """A state at another speed, moved along the track to the position of the equilibrium `rest`."""
     q, v = begun.q.copy(), begun.v.copy()
     along = np.arange(0, first_track(model), BODY_COORDINATES)
     place = BODY_COORDINATES * int(model.train.bodies[0])

@@ -1,4 +1,4 @@
-"""Inertia of a model: its mass matrix, and the gyroscopic moments of the wheelsets that spin."""
+"""Inertia of a model: its mass matrix, and the gyroscopic moments of its spinning wheelsets."""
 
 import numpy as np
 
@@ -33,7 +33,7 @@ def gyroscopic_moments(model: SystemModel, v: FloatArray) -> FloatArray:
         I p' - J W r = M_x,        J w' = M_y,        I r' + J W p = M_z
 
     remain to first order. Exudyn has these moments in its rigid bodies, not in the force kernel. Wheelsets
-    are bodies of revolution (roll and yaw inertia alike); nothing else turns.
+    are bodies of revolution (equal roll and yaw inertia); no other body spins.
 
     Parameters
     ----------

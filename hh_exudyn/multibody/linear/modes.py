@@ -3,8 +3,8 @@
 The motion is linearised by central differences of the force kernel about the static equilibrium of the
 rolling vehicle, with the gyroscopic moments of its wheelsets (`inertia`). The coordinates of a wheelset are
 those of the frame that follows its axle and does not spin. Friction elements stick everywhere: for a vehicle
-on friction, as a three-piece bogie is, the critical speed is that of its smallest motions; `hunting` has the
-speed below which a large motion dies out.
+with friction elements, such as three-piece bogies, the critical speed is that of infinitesimal motions;
+`nonlinear_speed` gives the speed below which large motions decay.
 """
 
 import math
@@ -39,7 +39,7 @@ STRAIGHT_LENGTH = 10e3  # m, of the straight track of this analysis
 OVERDAMPED = 0.95  # damping ratio from which a mode counts as no oscillation
 _DISPLACEMENT = 1e-7  # m and rad, of the numerical derivatives
 _VELOCITY = 1e-6  # m/s and rad/s
-_NOT_GROWING = 1e-6  # of |eigenvalue|: a growth below it is round-off of an undamped mode
+_NOT_GROWING = 1e-6  # of |eigenvalue|: smaller growth is round-off of an undamped mode
 DIRECTIONS = ("x", "y", "z", "roll", "pitch", "yaw")  # of a body, in the order of its coordinates
 _SPEED_TOLERANCE = 1e-3  # m/s, of the critical speed
 
@@ -115,7 +115,7 @@ class Mode:
         return -self.eigenvalue.real / abs(self.eigenvalue)
 
     def largest(self, names: Sequence[str]) -> str:
-        """Body and direction that move most, e.g. "car_body y" or "bogie_1 pitch".
+        """Body and direction of the largest motion, e.g. "car_body y" or "bogie_1 pitch".
 
         Parameters
         ----------
@@ -130,7 +130,7 @@ class LinearVehicle:
 
     Parameters
     ----------
-    vehicle, case : description of the vehicle, and its track; the case's own speed is not read
+    vehicle, case : description of the vehicle, and its track; the speed of the case is not used
 
     Raises
     ------
@@ -145,13 +145,18 @@ class LinearVehicle:
 
     @property
     def on_friction(self) -> bool:
-        """Whether couplings of the vehicle rub on each other, which a linear analysis takes as sticking."""
+        """Whether the vehicle has friction elements, which stick in the linear analysis."""
         return any(getattr(coupling, "friction", 0.0) > 0.0 for coupling in self.vehicle.couplings)
 
     def at(self, speed: float, step: float = 0.0) -> tuple[SystemModel, Workspace, Equilibrium]:
         """Model, work space and equilibrium at a speed [m/s]; with a time step [s], as in a run.
 
         Raises NoEquilibrium where there is none.
+
+        Parameters
+        ----------
+        speed : [m/s]
+        step : time step of a run, on which the lag of its creepage depends; 0 for the exact motion [s]
         """
         model = self._model._replace(
             train=self._model.train._replace(speed=speed),
@@ -189,14 +194,20 @@ class LinearVehicle:
         return sorted(chosen, key=lambda mode: mode.eigenvalue.imag)
 
     def growth(self, speed: float, step: float = 0.0) -> tuple[float, Mode]:
-        """Growth, -damping ratio, of the oscillating mode that grows most at a speed [m/s], and that mode."""
+        """Negative damping ratio of the least damped oscillating mode at a speed [m/s], and that mode.
+
+        Parameters
+        ----------
+        speed : [m/s]
+        step : time step as for `modes` [s]
+        """
         mode = min(self.modes(speed, step=step), key=lambda mode: mode.damping_ratio)
         return -mode.damping_ratio, mode
 
 
 @dataclass(frozen=True)
 class CriticalSpeed:
-    """Where a vehicle becomes unstable: the speed [m/s] and the mode that does."""
+    """Critical speed of a vehicle [m/s] and its unstable mode."""
 
     speed: float
     mode: Mode
@@ -207,8 +218,8 @@ def critical_speed(
 ) -> CriticalSpeed | None:
     """Lowest speed between `low` and `high` [m/s] at which an oscillating mode begins to grow.
 
-    It is looked for in steps of `step` [m/s], then bisected to 1 mm/s; an unstable range narrower than a step
-    can be missed. None where the vehicle is stable up to `high`, `low` where it is unstable already there.
+    Search in steps of `step` [m/s], then bisection to 1 mm/s; an unstable range narrower than a step can be
+    missed. None where the vehicle is stable up to `high`; `low` where it is already unstable there.
 
     Parameters
     ----------
@@ -250,8 +261,8 @@ def critical_speed(
 def root_locus(linear: LinearVehicle, speeds: Sequence[float]) -> ComplexArray:
     """Eigenvalues [1/s] of the oscillating modes over speed, one column a mode; NaN at speeds without it.
 
-    From speed to speed modes are joined so that the sum of the distances between eigenvalues is least; choose
-    steps of speed small enough for the distance between modes.
+    Modes at successive speeds are matched by the least sum of distances between eigenvalues; steps of the
+    speed must be small enough for the distance between modes.
 
     Parameters
     ----------
@@ -277,7 +288,8 @@ def root_locus(linear: LinearVehicle, speeds: Sequence[float]) -> ComplexArray:
 def _oscillations(found: Linearisation, springs: int | None) -> tuple[ComplexArray, ComplexArray]:
     """Eigenvalues and eigenvectors (columns, coordinates first).
 
-    With a number of `springs` those of the first coordinates alone, without dampers: the rest is creep.
+    With `springs` those of that number of coordinates alone, without dampers; the others are creep
+    coordinates.
     """
     if springs is None:
         values, vectors = np.linalg.eig(found.system)

@@ -1,10 +1,10 @@
-"""Nonlinear critical speed: from a limit cycle downwards, until hunting dies out; and where it begins.
+"""Nonlinear critical speed: from a limit cycle at decreasing speed until hunting decays; and its onset.
 
-Below it a vehicle comes to rest after every disturbance that is tried; it may lie far below the speed at
-which its smallest motions begin to grow. Where a vehicle has several cycles, or a cycle and rest, at one
-speed, it keeps the cycle that it comes with: so the train slows down gently from speed to speed, and the
-cycle is that of the highest speed. The speed at which one disturbance of the resting vehicle begins hunting
-lies above.
+Below it the vehicle comes to rest from the limit cycle and after the disturbances tried; it may lie far below
+the linear critical speed. Where several limit cycles, or a limit cycle and rest, coexist at one speed, the
+motion follows the cycle of its initial state: so the train decelerates gently from speed to speed, beginning
+with the cycle of the highest speed. The onset of hunting by one disturbance of the vehicle at rest lies
+higher.
 """
 
 import math
@@ -15,12 +15,12 @@ from itertools import pairwise
 from hh_exudyn.multibody.linear.hunting import STEP, Derailed, LateralMotion, MotionState, lateral_motion
 from hh_exudyn.multibody.linear.modes import LinearVehicle
 
-DISPLACEMENT = 5e-3  # m, of all wheelsets where there is no cycle to begin with; the flange is 5 to 9 mm away
-SETTLED = 0.5e-3  # m, amplitude of every wheelset below which hunting has died out
-STRETCH = 4.0  # s of motion, whose second half is looked at; hunting has 1 to 6 Hz
-LONGEST = 16.0  # s, after which a motion that still changes counts by whether it has fallen all the time
+DISPLACEMENT = 5e-3  # m, initial, of all wheelsets without a cycle; the flange clearance is 5 to 9 mm
+SETTLED = 0.5e-3  # m, amplitude of every wheelset below which hunting has decayed
+STRETCH = 4.0  # s of motion, with the second half evaluated; hunting has 1 to 6 Hz
+LONGEST = 16.0  # s; a motion not steady by then has decayed if its amplitude fell in every stretch
 SLOWING = 1.0  # m/s^2, of the train from speed to speed
-_STEADY = 0.05  # of the amplitude, by which it may differ from that of the stretch before
+_STEADY = 0.05  # relative difference of the amplitudes of two stretches of a steady motion
 
 _Tried = Callable[[float, MotionState | None, int], tuple[bool, MotionState | None]]
 Progress = Callable[[float, float, float], None]  # speed [m/s], time in that motion, its longest time [s]
@@ -28,16 +28,16 @@ Progress = Callable[[float, float, float], None]  # speed [m/s], time in that mo
 
 @dataclass(frozen=True)
 class HuntingRun:
-    """What was left of a motion at one speed.
+    """Result of the motion at one speed.
 
     Attributes
     ----------
     speed : [m/s]
-    amplitude : of the wheelset that moves most, at the end [m]; infinite where a wheel left its rail
-    frequency : of the first wheelset at the end [Hz]; NaN where there is none
+    amplitude : largest of all wheelsets at the end [m]; infinite where a wheel left its rail
+    frequency : of the first wheelset at the end [Hz]; NaN without oscillation
     duration : of the motion [s]
-    from_cycle : whether it went on from the cycle of a higher speed
-    hunts : whether it did not die out: it is steady, or it did not fall in every stretch of the longest time
+    from_cycle : whether it began with the limit cycle of a higher speed
+    hunts : whether it did not decay: it is steady, or its amplitude did not fall in every stretch
     """
 
     speed: float
@@ -55,10 +55,10 @@ class NonlinearCriticalSpeed:
     Attributes
     ----------
     runs : tuple of HuntingRun
-    hunting : the lowest speed at which hunting went on [m/s]; None where there was none at any speed
-    settled : the speed below it at which hunting died out [m/s]; None where it did at none
-    begins : the lowest speed, from `hunting` on, at which the disturbance of the resting vehicle was found to
-        begin hunting [m/s]; None where it did at none
+    hunting : lowest speed with hunting [m/s]; None for no hunting at any speed
+    settled : next lower speed of the search, where hunting decayed [m/s]; None if it decayed at none
+    begins : lowest speed found, from `hunting` on, at which the disturbance of the vehicle at rest leads to
+        hunting [m/s]; None if at none
     """
 
     runs: tuple[HuntingRun, ...]
@@ -77,13 +77,13 @@ def nonlinear_critical_speed(
     report: Callable[[HuntingRun, int], None] | None = None,
     progress: Progress | None = None,
 ) -> NonlinearCriticalSpeed:
-    """Look for hunting from `high` down to `low` in steps, and halve the step where it dies out.
+    """Search for hunting from `high` down to `low` in steps, halved where it decays.
 
     Parameters
     ----------
-    vehicle : what runs, and on which straight track
-    low, high, step, resolution : speeds [m/s]; the result is known to the resolution
-    report : called with every run that is done and the number that may follow at most
+    vehicle : the vehicle on its straight track
+    low, high, step, resolution : speeds [m/s]; the result has the resolution
+    report : called with every finished run and the largest number of further runs
     progress : called after every time step
 
     Raises
@@ -119,7 +119,7 @@ def nonlinear_critical_speed(
 def _falling(
     tried: _Tried, low: float, high: float, step: float, resolution: float
 ) -> tuple[float | None, float | None]:
-    """The lowest speed that hunts, and the next one below, where it has died out."""
+    """The lowest speed with hunting, and the next lower one, where it has decayed."""
     halvings = _halvings(step, resolution)
     again = math.ceil((high - low) / step) + halvings  # of `_rising`, at most
     speed, cycle, hunting = high, None, None
@@ -161,14 +161,14 @@ def _rising(tried: _Tried, low: float, high: float, step: float, resolution: flo
 
 
 def _halvings(width: float, resolution: float) -> int:
-    """Of an interval, until it is as narrow as the resolution."""
+    """Number of halvings of an interval down to the resolution."""
     return max(0, math.ceil(math.log2(width / resolution) - 1e-9))
 
 
 def _hunted(
     vehicle: LinearVehicle, speed: float, cycle: MotionState | None, progress: Progress | None
 ) -> tuple[HuntingRun, MotionState | None]:
-    """Motion at a speed, until it has died out or is steady."""
+    """Motion at a speed, until it has decayed or is steady."""
     begun = cycle is not None
     displacement = 0.0 if begun else DISPLACEMENT
     ramp = abs(cycle.speed - speed) / SLOWING if cycle is not None else 0.0

@@ -1,7 +1,7 @@
-"""How large a time step may be: the explicit integration of the motion linearised about its equilibrium.
+"""Largest stable time step of the explicit integration, for the motion linearised about its equilibrium.
 
-Beyond the limit an explicit method need not blow up: dry friction and saturated creep forces can hold it in a
-false state that looks like a run. So the step is checked before the run.
+Beyond the limit an explicit method does not always diverge: dry friction and saturated creep forces can bound
+it in a false state that looks like a run. So the step is checked before the run.
 """
 
 import numpy as np
@@ -30,7 +30,7 @@ def largest_stable_step(values: NDArray[np.complex128]) -> float:
     """Largest step [s] at which the Runge-Kutta method of third order amplifies no eigenvector that decays.
 
     |1 + z + z^2/2 + z^3/6| <= 1 with z = step * eigenvalue (Hairer, Norsett and Wanner 1993, II.1);
-    eigenvectors that grow by themselves may grow as they do.
+    growing eigenvectors are not considered.
 
     Parameters
     ----------

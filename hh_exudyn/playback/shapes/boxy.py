@@ -30,11 +30,11 @@ COUPLER: Colour = (104, 88, 76)
 
 BEAM = 0.20  # width of a frame's beams [m]
 BEAM_DEPTH = 0.14  # half their height
-SMALLEST_FRAME = 0.8  # length and width from which a frame has an opening [m]
+SMALLEST_FRAME = 0.8  # least length and width of a frame with an opening [m]
 CAB_RAKE = 0.55  # of a locomotive's front, from foot to roof [m]
 SILL_DEPTH = 0.14  # below the walls of a car body [m]
 BOX_TOP = 0.17  # of an axle box over its axle [m]
-INNERMOST = 0.4  # half distance from which couplings are drawn as springs [m]
+INNERMOST = 0.4  # least lateral distance from the middle of couplings drawn as springs [m]
 KNEE = 0.42  # share of the height from which a front leans back
 SMALLEST_HEIGHT = 1.2  # of a body with roof and windows [m]
 
@@ -48,7 +48,7 @@ def plain_box(vehicle: Vehicle, body: Body) -> trimesh.Trimesh:
 def car_body(vehicle: Vehicle, body: Body) -> trimesh.Trimesh:
     """Sill, walls and a vaulted roof in the body's box above the wheels, with its coupler heads.
 
-    A vehicle with drives has raked fronts with windows. A body lower than `SMALLEST_HEIGHT` stays a box.
+    A vehicle with drives has raked fronts with windows. A body lower than `SMALLEST_HEIGHT` is a box.
     """
     low, high = body_box(vehicle, body)
     foot = _foot(vehicle, low)
@@ -135,7 +135,7 @@ def _couplers(vehicle: Vehicle, body: Body, low: FloatArray, high: FloatArray) -
 def bogie_frame(vehicle: Vehicle, body: Body) -> trimesh.Trimesh:
     """Two side beams and cross beams at the height of the centre of mass, with springs at the couplings.
 
-    The beams lie over the axle boxes. A frame without length or width stays a box.
+    The beams lie over the axle boxes. A frame below `SMALLEST_FRAME` is a box.
     """
     low, high = body_box(vehicle, body)
     length, width = high[0] - low[0], high[1] - low[1]

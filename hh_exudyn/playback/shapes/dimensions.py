@@ -1,4 +1,4 @@
-"""The dimensions of an ore wagon for its drawing, all taken from the vehicle that runs."""
+"""The dimensions of an ore wagon for its drawing, all from the vehicle of the run."""
 
 from dataclasses import dataclass, fields
 from typing import TypeVar
@@ -48,7 +48,7 @@ class WagonDimensions:
             raise ValueError(f"basket_length {self.basket_length} m must be below length {self.length} m")
 
 
-_OUTLINE = ("length", "height", "basket_width", "basket_length", "ore_depth")  # no body or coupling has them
+_OUTLINE = ("length", "height", "basket_width", "basket_length", "ore_depth")  # in `Vehicle.dimensions`
 _BODIES = ("car_body", "bolster", "side_frame")
 _COUPLINGS = (CentrePlate, SideBearer, SpringNest, Wedge)
 
@@ -61,8 +61,8 @@ def is_ore_wagon(vehicle: Vehicle) -> bool:
 def wagon_dimensions(vehicle: Vehicle) -> WagonDimensions:
     """The lengths of a described wagon, by its first unit: its units are alike.
 
-    Places come from bodies, wheelsets and couplings; the outline of the car body, which none of them has,
-    from `Vehicle.dimensions`.
+    Positions are those of bodies, wheelsets and couplings; the outline of the car body is from
+    `Vehicle.dimensions`.
 
     Raises
     ------

@@ -19,9 +19,9 @@ COUPLER: Colour = (104, 88, 76)
 BAND: Colour = (205, 208, 204)
 ORE: Colour = (122, 70, 56)
 
-SHEET_THICKNESS = 0.05  # of the drawing; steel is thinner, but an edge must be seen [m]
+SHEET_THICKNESS = 0.05  # of the drawing, thicker than the steel for visible edges [m]
 VERTICAL_END = 0.55  # height of the upright part of the end sheets under the rim [m]
-SIDE_BOTTOM = 1.42  # where the upright side sheets end and the doors' slope begins [m]
+SIDE_BOTTOM = 1.42  # height of the lower end of the upright side sheets and the top of the doors [m]
 BOTTOM = 0.62  # lower edge of the discharge doors between the bogies [m]
 SLOPE_FOOT = 0.49  # half length of the hopper at SIDE_BOTTOM, over that at the rim
 RIBS = 9  # along each side

@@ -1,4 +1,4 @@
-"""Solids that the shapes are made of, painted by face, and their shading with sharp creases.
+"""Solids for the shapes, with colours by face, and their shading with sharp creases.
 
 Boxes, cylinders and turned bodies are trimesh's; lofts, plates and coils are made here. Everything is a
 closed `trimesh.Trimesh` with one colour per face, in metres.
@@ -21,7 +21,7 @@ CREASE_ANGLE = np.radians(38.0)  # faces that meet at more than this keep a shar
 
 
 class Shaded(NamedTuple):
-    """A mesh as a renderer takes it: single precision, with normals and colours at the vertices."""
+    """A mesh for a renderer: single precision, with normals and colours at the vertices."""
 
     positions: NDArray[np.float32]  # (n, 3) [m]
     triangles: NDArray[np.uint32]  # (m, 3)
@@ -79,7 +79,7 @@ def loft(rings: FloatArray, colour: Colour) -> trimesh.Trimesh:
 
 
 def _outwards(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
-    """The mesh with faces that look outwards."""
+    """The mesh with outward normals."""
     if mesh.volume < 0.0:
         mesh.faces = mesh.faces[:, ::-1]
     return mesh
@@ -162,7 +162,19 @@ def resampled(line: FloatArray, count: int) -> FloatArray:
 def upright_cylinder(
     centre: Sequence[float], radius: float, height: float, sections: int, colour: Colour
 ) -> trimesh.Trimesh:
-    """A cylinder standing on `centre` (x, y, z of its bottom) [m]."""
+    """An upright cylinder.
+
+    Parameters
+    ----------
+    centre
+        X, y, z of its bottom [m].
+    radius, height
+        [m].
+    sections
+        Facets around the axis.
+    colour
+        Of all faces.
+    """
     x, y, z = centre
     ends = ((x, y, z), (x, y, z + height))
     return painted(trimesh.creation.cylinder(radius, sections=sections, segment=ends), colour)
@@ -171,7 +183,21 @@ def upright_cylinder(
 def coil(
     centre: Sequence[float], radius: float, wire: float, height: float, colour: Colour
 ) -> trimesh.Trimesh:
-    """A coil spring standing on `centre`: mean coil radius, wire radius and height [m]; 4.5 turns."""
+    """An upright coil spring.
+
+    It has 4.5 turns.
+
+    Parameters
+    ----------
+    centre
+        X, y, z of its bottom [m].
+    radius, wire
+        Mean radius of the coil, and radius of its wire [m].
+    height
+        [m].
+    colour
+        Of all faces.
+    """
     turns, facets = 4.5, 5
     angle = np.linspace(0.0, 2.0 * np.pi * turns, int(turns * 12) + 1)
     outward = np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=-1)

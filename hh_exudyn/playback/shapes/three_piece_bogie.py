@@ -145,7 +145,7 @@ def _springs(size: WagonDimensions, seat: float) -> list[trimesh.Trimesh]:
 
 
 def _mirrored(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
-    """The mesh mirrored left to right, faces turned so that they still look outwards."""
+    """The mesh mirrored left to right, with outward normals."""
     return trimesh.Trimesh(
         vertices=mesh.vertices * (1.0, -1.0, 1.0),
         faces=mesh.faces[:, ::-1],

@@ -1,4 +1,4 @@
-"""The track as meshes: rails swept along the alignment, sleepers, ballast, in pieces with a near origin."""
+"""The track as meshes: rails swept along the alignment, sleepers, ballast, in pieces with an origin each."""
 
 import math
 from collections.abc import Iterator
@@ -26,12 +26,12 @@ GROUND: Colour = (132, 140, 112)
 
 PIECE = 50.0  # length of one piece of track [m]
 SLEEPER_SPACING = 0.6  # [m]
-CHANGE_STATIONS = 9  # at which the change from rail to rail is drawn
-SAGITTA = 0.5e-3  # of a swept rail against the curve [m]
+CHANGE_STATIONS = 9  # cross-sections of the drawn change from rail to rail
+SAGITTA = 0.5e-3  # largest deviation of a swept rail from the curve [m]
 RAIL_HEIGHT = 0.172  # 60E1, EN 13674-1 [m]
 FOOT_HALF_WIDTH = 0.075
 WEB_HALF_WIDTH = 0.009
-GROUND_HALF_WIDTH = 80.0  # below the smallest radius an alignment may have [m]
+GROUND_HALF_WIDTH = 80.0  # less than the smallest radius of an alignment [m]
 
 
 class Piece(NamedTuple):
@@ -47,6 +47,15 @@ def pieces(
     alignment: Alignment, rail_left: RailCourse, rail_right: RailCourse, first: float, last: float
 ) -> Iterator[Piece]:
     """The track between two arc lengths [m], cut to where there is track, piece by piece.
+
+    Parameters
+    ----------
+    alignment
+        The alignment.
+    rail_left, rail_right
+        Rails of both sides along the track.
+    first, last
+        Arc lengths [m].
 
     Raises
     ------
@@ -120,7 +129,7 @@ def _piece(alignment: Alignment, rails: dict[int, RailCourse], low: float, high:
 
 
 def _stations(alignment: Alignment, rails: dict[int, RailCourse], low: float, high: float) -> FloatArray:
-    """Arc lengths along a piece, as many as the curve and the changes of its rails ask for."""
+    """Arc lengths along a piece, close enough for the curve and the changes of its rails."""
     changes = [
         change + rail.change_length * np.linspace(-0.5, 0.5, CHANGE_STATIONS)
         for rail in rails.values()
@@ -167,7 +176,7 @@ def _swept(
 
 
 def _bed(frames: TrackFrames, origin: FloatArray) -> trimesh.Trimesh:
-    """Ballast, canted as the track is, and a level strip of ground."""
+    """Ballast with the cant of the track, and a level strip of ground."""
     top, foot = -RAIL_HEIGHT - 0.055, -0.75
     ballast = np.array(
         [[1.75, top], [0.6, top], [-0.6, top], [-1.75, top], [-2.9, foot], [-2.9, foot - 0.4],

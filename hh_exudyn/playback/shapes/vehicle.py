@@ -25,7 +25,7 @@ def vehicle_shapes(vehicle: Vehicle, tread: FloatArray) -> dict[str, trimesh.Tri
     Parameters
     ----------
     vehicle
-        Any.
+        Any vehicle.
     tread
         (n, 2) wheel profile (y, z) in side coordinates, from the field side to the flange back [m].
     """

@@ -14,7 +14,7 @@ TREAD: Colour = (196, 200, 205)
 MARK: Colour = (240, 236, 220)
 BEARING: Colour = (78, 92, 128)
 
-USUAL_RADIUS = 0.4575  # of the wheel with the lengths below; those of others are in proportion [m]
+USUAL_RADIUS = 0.4575  # of the wheel with the lengths below, which are proportional to the radius [m]
 RIM_THICKNESS = 0.062  # of the wheel below the tread [m]
 WEB_RADIUS = 0.27
 HUB_RADIUS = 0.135

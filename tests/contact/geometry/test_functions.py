@@ -18,13 +18,13 @@ from hypothesis import strategies as st
 from manchester_rail import manchester_rail
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.geometry.conicity import conicity_from_radius_difference
-from hh_exudyn.contact.geometry.functions import (
+from hh_exudyn.contact.functions import (
     contact_functions,
     equivalent_conicity,
     rolling_radius_difference,
     wheelset_functions,
 )
+from hh_exudyn.contact.geometry.conicity import conicity_from_radius_difference
 from hh_exudyn.contact.geometry.merit import (
     conicity_report,
     flange_clearance,

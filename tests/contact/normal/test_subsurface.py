@@ -1,8 +1,6 @@
 """Stresses below a line contact: the equations of elasticity, the loads at the border, published maxima."""
 
-import csv
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import quad
 from scipy.optimize import brentq, minimize
+from shakedown_table import LIMITS
 
 from hh_exudyn.contact.normal.subsurface import (
     SubsurfaceStress,
@@ -18,8 +17,6 @@ from hh_exudyn.contact.normal.subsurface import (
     stick_half_length,
 )
 
-REFERENCE = Path(__file__).resolve().parents[2] / "reference" / "shakedown_line_contact.csv"
-LIMITS = list(csv.DictReader(line for line in REFERENCE.read_text().splitlines() if not line.startswith("#")))
 A, P0, MU = 5e-3, 1.2e9, 0.35
 LOADS = {"no friction": 0.0, "full slip": 0.35, "full slip back": -0.35, "partial": 0.2, "partial back": -0.1}
 loads = pytest.mark.parametrize("ratio", LOADS.values(), ids=list(LOADS))

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.functions import ContactFunctions, contact_functions, contiguous
 from hh_exudyn.contact.geometry.conicity import conicity_from_radius_difference
-from hh_exudyn.contact.geometry.functions import ContactFunctions, contact_functions, contiguous
 from hh_exudyn.contact.profile import (
     RAIL_PROFILES,
     WHEEL_PROFILES,

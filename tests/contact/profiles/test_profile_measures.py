@@ -79,11 +79,11 @@ def test_miniprof_gives_the_same_measures(shared_profiles: Path) -> None:
     path = shared_profiles / "left-wheel-v1-pre-dry.whl"
     for smoothing, tolerance in (("never", 0.03 * MM), ("auto", 0.05 * MM)):
         read = read_profile(path, smoothing=smoothing)
-        told = {key: float(read.report.header[key]) * MM for key in ("Sd", "Sh", "qR")}
+        written = {key: float(read.report.header[key]) * MM for key in ("Sd", "Sh", "qR")}
         assert float(read.report.header["WheelDiameterTaperline"]) == 70.0
-        assert flange_thickness(read.profile) == pytest.approx(told["Sd"], abs=tolerance)
-        assert flange_height(read.profile) == pytest.approx(told["Sh"], abs=tolerance)
-        assert flange_steepness(read.profile) == pytest.approx(told["qR"], abs=tolerance)
+        assert flange_thickness(read.profile) == pytest.approx(written["Sd"], abs=tolerance)
+        assert flange_height(read.profile) == pytest.approx(written["Sh"], abs=tolerance)
+        assert flange_steepness(read.profile) == pytest.approx(written["qR"], abs=tolerance)
 
 
 def test_a_scan_gives_the_measures_of_what_was_scanned(tmp_path: Path) -> None:

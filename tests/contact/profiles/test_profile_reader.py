@@ -146,8 +146,8 @@ def test_written_files_say_what_they_hold(tmp_path: Path) -> None:
     assert "mm" in head[1]
     write_profile(S1002, tmp_path / "w.whl", "miniprof")
     header = read_profile(tmp_path / "w.whl").report.header
-    told = [float(header[key]) for key in ("Sd", "Sh", "qR")]
-    assert told == pytest.approx([32.5, 28.0, 10.794], abs=0.001)
+    written = [float(header[key]) for key in ("Sd", "Sh", "qR")]
+    assert written == pytest.approx([32.5, 28.0, 10.794], abs=0.001)
     with pytest.raises(ValueError, match="format = 'csv', allowed two_column, miniprof"):
         write_profile(S1002, tmp_path / "w.csv", "csv")
 
@@ -186,7 +186,7 @@ def test_the_place_of_the_flange_back_may_be_told(tmp_path: Path) -> None:
 
 
 def test_a_rail_of_simpack_and_of_miniprof_has_its_habits(tmp_path: Path) -> None:
-    """Both sides reach 14 mm down, so the file cannot tell the gauge side: here it is told by the format."""
+    """Both sides reach 14 mm down, so the file cannot tell the gauge side: here the format says which."""
     prr = written(tmp_path / "r.prr", simpack(-RAIL.y, -RAIL.z, 0))
     ban = written(
         tmp_path / "r.ban", f"Rail=L\nColumnDef=X,Y\nXYPoints={len(RAIL.y)}\n\n" + rows(RAIL.y, RAIL.z)

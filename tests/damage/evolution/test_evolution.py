@@ -114,13 +114,18 @@ def test_it_goes_on_where_it_stopped(tmp_path: Path) -> None:
         evolve(WP4, RADIUS, stopping, 4500e3, tmp_path / "cut")
     (tmp_path / "cut" / "step-00003.tmp").write_bytes(b"half a step")
     assert len(read_history(tmp_path / "cut").steps) == 3
-    told: list[tuple[float, str]] = []
+    said: list[tuple[float, str]] = []
     again = evolve(
-        WP4, RADIUS, wear_of, 4500e3, tmp_path / "cut", progress=lambda done, text: told.append((done, text))
+        WP4,
+        RADIUS,
+        wear_of,
+        4500e3,
+        tmp_path / "cut",
+        progress=lambda done, text: said.append((done, text)),
     )
     assert len(asked) == len(set(asked)) == len(whole.steps) - 1
-    assert [done for done, _ in told] == pytest.approx([s.distance / 4500e3 for s in whole.steps[3:]])
-    assert told[0][1].startswith("step 3: ")
+    assert [done for done, _ in said] == pytest.approx([s.distance / 4500e3 for s in whole.steps[3:]])
+    assert said[0][1].startswith("step 3: ")
     _same(again, whole)
     _same(read_history(tmp_path / "cut"), whole)
 

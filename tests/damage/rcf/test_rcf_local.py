@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from damage.log_input.states import PATCH_COLUMNS
+from damage.log_input.states import LOAD_COLUMNS
 from damage.material import ER7
 from damage.rcf.local import distributed_index, local_indices, strip_fatigue
 from damage.rcf.surface_index import surface_fatigue_index
@@ -69,7 +69,7 @@ def test_a_patch_without_creepage_or_force_has_no_fatigue() -> None:
     np.testing.assert_array_equal(at_rest.stress_index, -K)
     assert np.all(at_rest.fatigue_index < 0.0)
     unloaded = local_indices(
-        dict(zip(PATCH_COLUMNS, (1e-3, 1e-3, 0.0, 1e-3, 0.0, 0.0, 0.4), strict=True)), ER7
+        dict(zip(LOAD_COLUMNS, (1e-3, 1e-3, 0.0, 1e-3, 0.0, 0.0, 0.4), strict=True)), ER7
     )
     np.testing.assert_array_equal(unloaded.fatigue_index, -np.inf)
     np.testing.assert_array_equal(unloaded.stress_index, -K)
@@ -97,8 +97,8 @@ def test_a_batch_is_its_states_one_by_one_and_a_mirrored_patch_is_the_mirror() -
     ],
 )
 def test_bad_input(change: dict, message: str) -> None:
-    state = TIGHT | {name: value for name, value in (FULL_SLIP | change).items() if name in PATCH_COLUMNS}
-    how = {name: value for name, value in change.items() if name not in PATCH_COLUMNS}
+    state = TIGHT | {name: value for name, value in (FULL_SLIP | change).items() if name in LOAD_COLUMNS}
+    how = {name: value for name, value in change.items() if name not in LOAD_COLUMNS}
     with pytest.raises(ValueError, match=message):
         local_indices(state, ER7, **how)
     with pytest.raises(ValueError, match="normal_force must be > 0 N; 1 values are not"):
@@ -114,7 +114,7 @@ def test_the_loop_finds_the_same_indices_above_zero(theory: str, cells: tuple[in
     a, b = generator.uniform(4e-3, 8e-3, (2, rows))
     load, friction = generator.uniform(40e3, 160e3, rows), generator.uniform(0.1, 0.6, rows)
     nu_x, nu_y, phi = generator.normal(0.0, 1.0, (3, rows)) * [[1e-3], [2e-3], [0.4]]
-    states = dict(zip(PATCH_COLUMNS, (a, b, load, nu_x, nu_y, phi, friction), strict=True))
+    states = dict(zip(LOAD_COLUMNS, (a, b, load, nu_x, nu_y, phi, friction), strict=True))
     every = local_indices(states, ER7, theory, cells)
     fields, found = Fields(*np.zeros((5, cells[1], cells[0]))), np.zeros((rows, cells[1]))
     for i in range(rows):

@@ -1,9 +1,7 @@
 """Shakedown limits: published tables, closed forms, and exact properties of circles and limits."""
 
-import csv
 import itertools
 import math
-from pathlib import Path
 
 import numpy as np
 import pyarrow
@@ -11,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.optimize import minimize
+from shakedown_table import LIMITS
 
 from damage.rcf.surface_index import FLANGE_CONTACT_ANGLE
 from damage.shakedown import (
@@ -25,8 +24,6 @@ from damage.shakedown import (
 from damage.shakedown.circle import FIXED, FREE, ON_AXIS, smallest_circle
 from hh_exudyn.contact.normal.subsurface import line_contact_stress
 
-REFERENCE = Path(__file__).resolve().parents[2] / "reference" / "shakedown_line_contact.csv"
-LIMITS = list(csv.DictReader(line for line in REFERENCE.read_text().splitlines() if not line.startswith("#")))
 HARDENINGS = ("elastic", "perfect", "kinematic")
 COLUMNS = {"elastic": "elastic", "perfect": "perfectly_plastic", "kinematic": "kinematic"}
 PRINTED = {"elastic": 0.006, "perfect": 0.003, "kinematic": 0.02}  # half a digit, and Table 3-1 within 0.02

@@ -8,16 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from coupling_bench import (
-    DRAWING,
-    NUMBERS,
-    SIZE,
-    STILL,
-    WAGON,
-    Bench,
-    random_state,
-    without_loss,
-)
+from coupling_bench import DRAWING, NUMBERS, SIZE, STILL, WAGON, Bench, random_state, without_loss
 from scipy.spatial.transform import Rotation
 
 from hh_exudyn.multibody.couplings.three_piece_bogie import RING_POINTS

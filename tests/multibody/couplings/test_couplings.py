@@ -4,17 +4,7 @@ from dataclasses import fields, replace
 
 import numpy as np
 import pytest
-from coupling_bench import (
-    DRAWING,
-    NUMBERS,
-    SIZE,
-    STILL,
-    WAGON,
-    Bench,
-    first,
-    only,
-    random_state,
-)
+from coupling_bench import DRAWING, NUMBERS, SIZE, STILL, WAGON, Bench, first, only, random_state
 from scipy.spatial.transform import Rotation
 
 from hh_exudyn.multibody.couplings.three_piece_bogie import RING_POINTS

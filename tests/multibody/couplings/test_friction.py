@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from run_tables import steady, table, wheel_means
+from track_sections import into_left_curve
 
 from hh_exudyn.contact.tangential.api import creep_force
 from hh_exudyn.conventions import GRAVITY, RAIL_TOP_DISTANCE
@@ -104,12 +105,7 @@ def test_slip_beyond_saturation_on_falling_friction_goes_on(demo, runs):
     The force falls with the slip there. The run ends by itself, no force exceeds the bound, and the wheels
     carry the weight.
     """
-    sections = [
-        {"kind": "straight", "length_m": 15.0, "gauge_mm": 1445.0},
-        {"kind": "transition", "length_m": 25.0},
-        {"kind": "curve", "length_m": 40.0, "radius_m": 250.0, "hand": "left", "cant_mm": 65.0,
-         "gauge_mm": 1445.0},
-    ]  # fmt: skip
+    sections = into_left_curve((15.0, 25.0, 40.0), 250.0, 1445.0)
     tight = demo.with_changes(
         friction={"climate": "dry", "falling": "polach_dry"}, track={"sections": sections}
     )

@@ -190,7 +190,7 @@ def test_power_goes_into_springs_or_dampers(demo, seed, angle, tolerance):
 
 
 @pytest.mark.parametrize(
-    ("kind", "changes", "told"),
+    ("kind", "changes", "message"),
     [
         (BUSHING, {"stiffness": (1.0, -1.0, 1.0)}, "bushing bushing: stiffness"),
         (BUSHING, {"rotational_damping": (0.0, 0.0, float("nan"))}, "N m s/rad must be >= 0"),
@@ -202,19 +202,19 @@ def test_power_goes_into_springs_or_dampers(demo, seed, angle, tolerance):
         (STOP, {"table": TABLE[2:]}, "odd stop must start"),
     ],
 )
-def test_nonsense_is_refused(kind, changes, told):
-    with pytest.raises(ValueError, match=told):
+def test_nonsense_is_refused(kind, changes, message):
+    with pytest.raises(ValueError, match=message):
         replace(kind, **changes)
 
 
 @pytest.mark.parametrize(
-    ("coupling", "told"),
+    ("coupling", "message"),
     [
         (replace(BUSHING, body_b="wheelset_1"), "Bushing bushing would be wound up"),
         (replace(ROD, body_a="wheelset_1"), "with the wheelset as body B"),
         (replace(ROD, body_b="wheelset_1"), "axle's centre line"),
     ],
 )
-def test_a_wheelset_spins(coupling, told):
-    with pytest.raises(ValueError, match=told):
+def test_a_wheelset_spins(coupling, message):
+    with pytest.raises(ValueError, match=message):
         replace(WAGON, couplings=(coupling,))

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.integrate import quad
+from track_sections import straight
 
 from hh_exudyn.contact.geometry.rail_tables import with_origin
 from hh_exudyn.contact.profile import Profile
@@ -18,21 +19,6 @@ from hh_exudyn.multibody.linear.modes import LinearVehicle, critical_speed, root
 from vehicles.catalogue import VEHICLES, parameters, vehicle
 from vehicles.couplings import AxleBoxPad, Bushing
 from vehicles.models.suspended_wheelset import critical_speed_closed_form
-
-STRAIGHT = [{"kind": "straight", "length_m": 60.0, "gauge_mm": 1435.0}]
-
-
-@pytest.fixture(scope="module")
-def given_case(demo):
-    """Rigid straight track of nominal gauge, contact as the vehicle states it."""
-    return demo.with_changes(
-        track={"sections": STRAIGHT, "flexibility": "rigid"}, contact={"theory": "given"}
-    )
-
-
-@pytest.fixture(scope="module")
-def wheelset(given_case):
-    return LinearVehicle(vehicle("suspended_wheelset"), given_case)
 
 
 def closed_form(conicity=None, **spin):
@@ -86,7 +72,7 @@ def test_growth_in_time_is_the_eigenvalues_with_gyroscopic_moments(given_case, t
     case = given_case.with_changes(
         wheel_profile=cones(tmp_path / "cones.txt", 0.3),
         contact={"theory": "fastrip"},
-        track={"sections": [STRAIGHT[0] | {"gauge_mm": 1450.0}], "inclination": "1:40"},
+        track={"sections": straight(60.0, 1450.0), "inclination": "1:40"},
     )
     coned = LinearVehicle(vehicle("suspended_wheelset"), case)
     _, mode = coned.growth(speed, step=4e-4)

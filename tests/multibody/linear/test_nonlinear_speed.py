@@ -6,27 +6,13 @@ import signal
 import numpy as np
 import pytest
 from scipy.integrate import quad
+from track_sections import straight
 
 from hh_exudyn.multibody.linear import nonlinear_speed
 from hh_exudyn.multibody.linear.hunting import _course, lateral_motion
 from hh_exudyn.multibody.linear.modes import LinearVehicle, critical_speed
 from hh_exudyn.multibody.linear.nonlinear_speed import nonlinear_critical_speed
 from vehicles.catalogue import vehicle
-
-STRAIGHT = [{"kind": "straight", "length_m": 60.0, "gauge_mm": 1435.0}]
-
-
-@pytest.fixture(scope="module")
-def given_case(demo):
-    """Rigid straight track of nominal gauge, contact as the vehicle states it."""
-    return demo.with_changes(
-        track={"sections": STRAIGHT, "flexibility": "rigid"}, contact={"theory": "given"}
-    )
-
-
-@pytest.fixture(scope="module")
-def wheelset(given_case):
-    return LinearVehicle(vehicle("suspended_wheelset"), given_case)
 
 
 def test_linear_contact_dies_out_at_the_linear_critical_speed(wheelset):
@@ -93,7 +79,7 @@ def test_the_train_slows_down_as_it_is_told():
 
 def test_a_vehicle_follows_its_train_to_another_speed(demo):
     """The wagon, slowed from 20 to 19 m/s: it runs, and its wheels roll, at 19 m/s."""
-    wagon = LinearVehicle(vehicle("iore_wagon_loaded"), demo.with_changes(track={"sections": STRAIGHT}))
+    wagon = LinearVehicle(vehicle("iore_wagon_loaded"), demo.with_changes(track={"sections": straight(60.0)}))
     begun = lateral_motion(wagon, 20.0, 0.2)
     slower = lateral_motion(wagon, 19.0, 4.0, begun=begun.end, slowing=1.0)
     bodies = slower.end.v[: 6 * len(wagon.names)].reshape(-1, 6)

@@ -10,18 +10,12 @@ from hypothesis import strategies as st
 from hh_exudyn.conventions import GRAVITY, RAIL_TOP_DISTANCE
 from track.course.alignment import (
     Alignment,
-    Curve,
-    Grade,
-    Ramp,
-    Section,
-    Straight,
-    Transition,
     inclined_frame,
     inclined_locate,
     inclined_rotation,
     track_frame,
 )
-from track.course.sections import SHAPES
+from track.course.sections import SHAPES, Curve, Grade, Ramp, Section, Straight, Transition
 
 HAND = st.sampled_from(["left", "right"])
 CURVE = st.builds(

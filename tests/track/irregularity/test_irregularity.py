@@ -11,7 +11,7 @@ from scipy.stats import chi2
 from track.irregularity.irregularity import Irregularity, random_irregularity, random_phases
 from track.irregularity.spectra import SIGNALS, spectrum
 from track.irregularity.table import irregularity_at, smooth_track
-from track.irregularity.wavelength_bands import D1, D2, band_pass
+from track.irregularity.wavelength_bands import D1, D2, wavelength_band
 
 BAND = (3.0, 70.0)
 
@@ -233,6 +233,6 @@ def test_bad_input_says_what_is_wrong(rough: Irregularity) -> None:
     with pytest.raises(ValueError, match=r"shape \(100, 3\)"):
         Irregularity(0.0, 0.25, np.zeros((100, 3)))
     with pytest.raises(ValueError, match=r"length is 40 m, for wavelengths up to 25 m allowed is from 50 m"):
-        band_pass(np.zeros(161), 0.25, D1)
+        wavelength_band(np.zeros(161), 0.25, D1)
     with pytest.raises(ValueError, match=r"step is 2.0 m, for wavelengths from 3 m"):
-        band_pass(np.zeros(1000), 2.0, D1)
+        wavelength_band(np.zeros(1000), 2.0, D1)
