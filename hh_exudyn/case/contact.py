@@ -1,12 +1,12 @@
 """The tables ``[contact]`` and ``[integration]`` of a case file. See `hh_exudyn.case.case`."""
 
-from typing import Annotated, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
 from hh_exudyn.case.fields import CaseTable, number
 from hh_exudyn.contact.normal.registry import NORMAL_THEORIES, check_combination
-from hh_exudyn.contact.tangential.registry import RUN_THEORIES
+from hh_exudyn.contact.tangential.registry import RUN_THEORIES, STRIP_THEORIES
 
 _Cells = Annotated[int, Field(ge=5, le=100)]
 
@@ -29,12 +29,22 @@ class ContactCase(CaseTable):
     "given" profiles, coefficients and conicity are those of the vehicle.
     """
 
-    normal: Literal[*NORMAL_THEORIES] = "hertz"  # type: ignore[valid-type]
+    normal: Literal[*NORMAL_THEORIES] = "coupled_strips"  # type: ignore[valid-type]
     theory: Literal[*RUN_THEORIES] = "fastrip"  # type: ignore[valid-type]
     cells: tuple[_Cells, _Cells] = Field(
         default=(32, 16), strict=False, json_schema_extra={"allowed": "two whole numbers from 5 to 100"}
     )
     damping_s_per_m: float = number("s/m", 0, 3, 0.3)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _ellipse_for_its_theories(cls, given: Any) -> Any:
+        """Without a normal theory, tangential theories that are made for ellipses have those of Hertz."""
+        if isinstance(given, dict) and "normal" not in given:
+            theory = given.get("theory", "fastrip")
+            if theory in RUN_THEORIES and theory not in STRIP_THEORIES:
+                return {**given, "normal": "hertz"}
+        return given
 
     @model_validator(mode="after")
     def _check_combination(self) -> Self:

@@ -2,11 +2,11 @@
 
 A contact log holds the equivalent ellipse of a non-elliptic patch. Its strips follow again from the profiles,
 the place of the contact, the approach, and roll and yaw of the wheelset, by the kernels of the run; so they
-can be finer than in the run.
+can be finer than in the run. Those of coupled strips are those of the run (`strips.rebuilt`).
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 import numpy as np
@@ -18,8 +18,10 @@ from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, STIFF
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette, wheel_rail_pair
 from hh_exudyn.contact.normal.neighbours import find_patches
 from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
-from hh_exudyn.contact.normal.registry import HERTZ
+from hh_exudyn.contact.normal.registry import COUPLED_STRIPS, HERTZ
 from hh_exudyn.contact.profiles.spline import spline_evaluate
+from hh_exudyn.contact.strips.rebuilt import Elastic, LoggedPatch, rebuilt_rows
+from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
 from hh_exudyn.contact.tangential.api import TractionField
 from hh_exudyn.contact.tangential.fastrip import field_on_strips
 from hh_exudyn.contact.tangential.strips import HALF_LENGTH, PRESSURE, STRIP_COLUMNS, WIDTH, Y
@@ -39,6 +41,8 @@ class State(Protocol):
     def side(self) -> int: ...
     @property
     def y_wheel(self) -> float: ...
+    @property
+    def contact_angle(self) -> float: ...
     @property
     def y_rail(self) -> float: ...
     @property
@@ -62,6 +66,10 @@ class State(Protocol):
     @property
     def approach(self) -> float: ...
     @property
+    def centre_y(self) -> float: ...
+    @property
+    def centre_z(self) -> float: ...
+    @property
     def roll(self) -> float: ...
     @property
     def s(self) -> float: ...
@@ -81,6 +89,10 @@ class PatchShape:
         At x = 0, semi-elliptic along the strip; it carries the normal force of the state [Pa].
     a, b : float
         Semi-axes of the equivalent ellipse [m].
+    y_wheel : FloatArray
+        Place on the wheel profile [m].
+    nu_x, nu_y, phi : FloatArray
+        Rigid slip in the middle of the strips and spin there [-], [-], [1/m].
     """
 
     y: FloatArray
@@ -89,6 +101,10 @@ class PatchShape:
     pressure: FloatArray
     a: float
     b: float
+    y_wheel: FloatArray
+    nu_x: FloatArray
+    nu_y: FloatArray
+    phi: FloatArray
 
     def normal_force(self) -> float:
         """Integral of the pressure [N]."""
@@ -109,7 +125,7 @@ def patch_shape(model: WheelRailModel, state: State, strips: int = 50) -> PatchS
     state : State
         Attributes named as the columns of the contact log.
     strips : int
-        3 .. 1000.
+        3 .. 1000; not read where the model has coupled strips, which are fixed on the wheel.
 
     Returns
     -------
@@ -127,6 +143,8 @@ def patch_shape(model: WheelRailModel, state: State, strips: int = 50) -> PatchS
         raise ValueError(
             f"normal_force = {state.normal_force} N, approach = {state.approach} m; both must be > 0"
         )
+    if model.normal == COUPLED_STRIPS:
+        return _coupled_shape(model, state)
     rows = np.zeros((strips, STRIP_COLUMNS))
     if model.normal == HERTZ:
         a, b = state.a, state.b
@@ -146,10 +164,76 @@ def patch_shape(model: WheelRailModel, state: State, strips: int = 50) -> PatchS
                 )
     if rows[0, Y] > rows[-1, Y]:
         rows = rows[::-1]
-    shape = PatchShape(rows[:, Y], rows[:, WIDTH], rows[:, HALF_LENGTH], rows[:, PRESSURE], a, b)
+    shape = PatchShape(
+        *(rows[:, column] for column in (Y, WIDTH, HALF_LENGTH, PRESSURE)),
+        a,
+        b,
+        state.y_wheel - state.side * math.cos(state.contact_angle) * rows[:, Y],
+        state.nu_x - state.phi * rows[:, Y],
+        np.full(strips, state.nu_y),
+        np.full(strips, state.phi),
+    )
     # for the contact damping, and the error of the strips at their edges
-    scale = state.normal_force / shape.normal_force()
-    return PatchShape(shape.y, shape.width, shape.half_length, scale * shape.pressure, a, b)
+    return replace(shape, pressure=state.normal_force / shape.normal_force() * shape.pressure)
+
+
+def _coupled_shape(model: WheelRailModel, state: State) -> PatchShape:
+    """The strips of a row by coupled strips."""
+    rows = np.zeros((ROWS, CAPACITY))
+    count = _rebuild(model, state, rows)
+    rows = rows[:, np.flatnonzero(rows[Row.LOAD, :count] > 0.0)]
+    numbers = rows[Row.NUMBER].astype(int)
+    loads = rows[Row.LOAD]
+    strips = model.strips_left if state.side == LEFT else model.strips_right
+    largest = int(np.argmax(loads / rows[Row.WIDTH]))
+    y = state.side * (np.average(rows[Row.ARC], weights=loads) - rows[Row.ARC])
+    order = np.argsort(y)
+    columns = (
+        y, rows[Row.WIDTH], rows[Row.HALF_LENGTH], rows[Row.PRESSURE],
+        strips.y[numbers], rows[Row.NU_X], rows[Row.NU_Y], rows[Row.PHI],
+    )  # fmt: skip
+    first = [column[order] for column in columns]
+    a, b = float(rows[Row.A, largest]), float(rows[Row.B, largest])
+    return PatchShape(*first[:4], a, b, *first[4:])
+
+
+def _rebuild(model: WheelRailModel, state: State, rows: FloatArray, fields: Fields | None = None) -> int:
+    """Fill (ROWS, CAPACITY) with the strips of a row, and their fields; the number of strips with overlap.
+
+    ValueError where no strip carries load in the logged pose: other profiles were in the run.
+    """
+    left = state.side == LEFT
+    rail, _ = rail_at(model.rails_left if left else model.rails_right, state.s)
+    pair = wheel_rail_pair(
+        model.wheel_left if left else model.wheel_right,
+        rail,
+        float(state.side),
+        model.running_circle_distance,
+        model.nominal_radius,
+        np.array([0.0, state.centre_y, state.centre_z]),
+        _axle(state),
+    )
+    patch = LoggedPatch(state.y_wheel, state.normal_force, state.nu_x, state.nu_y, state.phi, state.friction)
+    count = rebuilt_rows(
+        pair,
+        model.strips_left if left else model.strips_right,
+        Elastic(model.shear_modulus, model.poisson_ratio),
+        patch,
+        rows,
+        Fields(*np.zeros((5, 0, 0))) if fields is None else fields,
+    )
+    if count == 0:
+        raise ValueError(
+            f"no load at y_wheel = {state.y_wheel:.5f} m with the wheelset's centre at centre_y = "
+            f"{state.centre_y:.5f} m, centre_z = {state.centre_z:.5f} m from these profiles' rail"
+        )
+    return int(count)
+
+
+def _axle(state: State) -> FloatArray:
+    """Direction of the axle in axes of R."""
+    yaw, roll = state.angle_of_attack, state.roll
+    return np.array([-math.sin(yaw) * math.cos(roll), math.cos(yaw) * math.cos(roll), math.sin(roll)])
 
 
 def traction_on_shape(
@@ -182,7 +266,12 @@ def traction_on_shape(
         model.shear_modulus, model.poisson_ratio,
     )  # fmt: skip
     fields = Fields(*np.zeros((5, count, cells_x)))
-    field_on_strips(shape.strips(), count, patch, fields)
+    if model.normal == COUPLED_STRIPS:
+        _rebuild(model, state, np.zeros((ROWS, CAPACITY)), fields)
+        if state.side == LEFT:  # strips in the order of the profile; y to the left falls along it
+            fields = Fields(*(field[::-1] for field in fields))
+    else:
+        field_on_strips(shape.strips(), count, patch, fields)
     x = shape.half_length[:, None] * along[None, :]
     return TractionField(x, np.repeat(shape.y[:, None], cells_x, axis=1), *fields)
 
@@ -232,8 +321,6 @@ def _pair(model: WheelRailModel, state: State) -> tuple[WheelRailPair, float, fl
     left = state.side == LEFT
     wheel = model.wheel_left if left else model.wheel_right
     rail, _ = rail_at(model.rails_left if left else model.rails_right, state.s)
-    yaw, roll = state.angle_of_attack, state.roll
-    axle = np.array([-math.sin(yaw) * math.cos(roll), math.cos(yaw) * math.cos(roll), math.sin(roll)])
     pair = wheel_rail_pair(
         wheel,
         rail,
@@ -241,7 +328,7 @@ def _pair(model: WheelRailModel, state: State) -> tuple[WheelRailPair, float, fl
         model.running_circle_distance,
         model.nominal_radius,
         np.zeros(3),
-        axle,
+        _axle(state),
     )
     z, slope, _ = spline_evaluate(wheel, state.y_wheel)
     z_rail, _, _ = spline_evaluate(rail, state.y_rail)

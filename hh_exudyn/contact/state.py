@@ -141,6 +141,8 @@ class ContactState:
         Lateral position of the wheelset's centre, positive to the left [m].
     approach : float
         Elastic approach along the normal [m].
+    centre_y, centre_z : float
+        Centre of the wheelset from the origin of the rail's profile, axes of R [m].
     roll : float
         Roll of the wheelset to this wheel's rail, right-hand about x [rad].
     s : float
@@ -170,6 +172,8 @@ class ContactState:
     angle_of_attack: float
     y_wheelset: float
     approach: float
+    centre_y: float
+    centre_z: float
     roll: float
     s: float
 

@@ -1,4 +1,4 @@
-"""Creep forces of a wheel's strips, each with its own rigid slip (kernel).
+"""Creep forces and tractions of a wheel's strips, each with its own rigid slip (kernels).
 
 FaStrip (`tangential.fastrip`), strip by strip: the coefficients are those of the ellipse of which a strip is
 a part (`shape`), the friction is the strip's own, and so is the slip. On a flat patch the longitudinal slip
@@ -11,7 +11,14 @@ import math
 from typing import NamedTuple
 
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
-from hh_exudyn.contact.tangential.fastrip import add_cell, cell_weight, strip_force
+from hh_exudyn.contact.tangential.fastrip import (
+    SLIP_COLUMNS,
+    SLIPS_SIZE,
+    add_cell,
+    cell_weight,
+    march_directions,
+    strip_force,
+)
 from hh_exudyn.contact.tangential.fastrip_theory import set_strip
 from hh_exudyn.contact.tangential.fastsim_march import begin, march_cell, single_stiffness, stiffnesses
 from hh_exudyn.contact.tangential.kalker import coefficients
@@ -24,8 +31,10 @@ from hh_exudyn.contact.tangential.strips import (
     SHAPE,
     STATE_SIZE,
     W_X,
+    WIDTH,
+    scale_slip,
 )
-from hh_exudyn.contact.types import Memory
+from hh_exudyn.contact.types import Fields, Memory
 from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
 
 _XI, _THREE, _ONE = W_X, W_X + 3, W_X + 7  # rows for xi, eta, psi and the slip over three and one flexibility
@@ -65,33 +74,11 @@ def strip_creep_forces(
     """
     s = shaped(state, (ROWS, CAPACITY))
     march = memory(STATE_SIZE)
-    m = shaped(march, SHAPE)
     weight, step = cell_weight(cells_x), 2.0 / cells_x
-    ellipse = _Ellipse(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     first = 0
     while first < count:
-        number = 0  # strips of this block
-        last = first
-        while last < count and number < BLOCK:
-            if s[Row.LOAD, last] > 0.0:
-                g, lane = number // LANES, number % LANES
-                m[HALF_LENGTH, g, lane], m[PRESSURE, g, lane] = (
-                    s[Row.HALF_LENGTH, last],
-                    s[Row.PRESSURE, last],
-                )
-                if s[Row.CENTRE, last] == 0.0:
-                    ellipse = _ellipse_of(last, shear_modulus, poisson_ratio, state)
-                _scale_slip(last, g, lane, ellipse, state, march)
-                number += 1
-            last += 1
-        groups = (number + LANES - 1) // LANES
-        for n in range(number, groups * LANES):  # empty
-            g, lane = n // LANES, n % LANES
-            m[HALF_LENGTH, g, lane], m[PRESSURE, g, lane] = 0.0, 1.0
-            for row in range(_XI, _XI + _SCALED):
-                m[row, g, lane] = 0.0
-        _set_strips(groups, cells_x, poisson_ratio, march)
-        begin(groups, cells_x, march)
+        last, number = _load_block(first, count, shear_modulus, poisson_ratio, state, march)
+        groups = _set_strips(number, cells_x, poisson_ratio, march)
         for cell in range(cells_x):
             node = 1.0 - (cell + 1) * step
             march_cell(cell, groups, node + 0.5 * step, max(1.0 - node * node, 0.0), march)
@@ -105,6 +92,75 @@ def strip_creep_forces(
                 s[Row.MOMENT_Z, j] = bound * s[Row.HALF_LENGTH, j] * moment
                 number += 1
         first = last
+
+
+@kernel
+def strip_fields(
+    count: int, shear_modulus: float, poisson_ratio: float, state: Memory, fields: Fields
+) -> int:
+    """Pressure, tractions and slip in the cells of the strips that carry load (kernel, allocates nothing).
+
+    The slip of all strips is scaled together so that friction dissipates the power of the creepages, as in
+    `fastrip.field`.
+
+    Parameters
+    ----------
+    count, shear_modulus, poisson_ratio, state
+        As of `strip_creep_forces`.
+    fields : Fields
+        (>= loaded strips, nx) out: a row for each strip with load, in their order.
+
+    Returns
+    -------
+    int
+        Number of rows filled.
+    """
+    s = shaped(state, (ROWS, CAPACITY))
+    march, slips = memory(STATE_SIZE), memory(SLIPS_SIZE)
+    m, slip = shaped(march, SHAPE), shaped(slips, (BLOCK, SLIP_COLUMNS))
+    cells_x = fields.pressure.shape[1]
+    work, power, first, rows = 0.0, 0.0, 0, 0
+    while first < count:
+        last, number = _load_block(first, count, shear_modulus, poisson_ratio, state, march)
+        groups = _set_strips(number, cells_x, poisson_ratio, march)
+        n = 0
+        for j in range(first, last):
+            if s[Row.LOAD, j] > 0.0:
+                c11, c22, _, _ = coefficients(s[Row.A, j] / s[Row.B, j], poisson_ratio)
+                strain = 0.5 * math.pi**2 * s[Row.FRICTION, j] / shear_modulus
+                slip[n, 0], slip[n, 1], slip[n, 2] = s[Row.NU_X, j], s[Row.NU_Y, j], s[Row.PHI, j]
+                slip[n, 3], slip[n, 4], slip[n, 5] = s[Row.FRICTION, j], strain / c11, strain / c22
+                m[WIDTH, n // LANES, n % LANES] = s[Row.WIDTH, j]
+                n += 1
+        lost, put_in = march_directions(rows, number, groups, slips, march, fields)
+        work, power = work + lost, power + put_in
+        first, rows = last, rows + number
+    if work < 0.0 and power < 0.0:
+        scale_slip(power / work, fields.slip_x[:rows], fields.slip_y[:rows])
+    return rows
+
+
+@kernel
+def _load_block(
+    first: int, count: int, shear_modulus: float, poisson_ratio: float, state: Memory, march: Memory
+) -> tuple[int, int]:
+    """Put the loaded strips from `first` on into a block, as many as it holds.
+
+    Returns the strip behind the last one, and how many there are in the block.
+    """
+    s, m = shaped(state, (ROWS, CAPACITY)), shaped(march, SHAPE)
+    ellipse = _Ellipse(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    number, last = 0, first
+    while last < count and number < BLOCK:
+        if s[Row.LOAD, last] > 0.0:
+            g, lane = number // LANES, number % LANES
+            m[HALF_LENGTH, g, lane], m[PRESSURE, g, lane] = s[Row.HALF_LENGTH, last], s[Row.PRESSURE, last]
+            if s[Row.CENTRE, last] == 0.0 or number == 0:
+                ellipse = _ellipse_of(last, shear_modulus, poisson_ratio, state)
+            _scale_slip(last, g, lane, ellipse, state, march)
+            number += 1
+        last += 1
+    return last, number
 
 
 @inlined_kernel
@@ -132,9 +188,15 @@ def _ellipse_of(j: int, shear_modulus: float, poisson_ratio: float, state: Memor
 
 
 @kernel
-def _set_strips(groups: int, cells_x: int, poisson_ratio: float, march: Memory) -> None:
-    """Solve strip theory in a block and scale the slip for the march; without branches, for vectors."""
+def _set_strips(number: int, cells_x: int, poisson_ratio: float, march: Memory) -> int:
+    """Solve strip theory in a block and set the march; without branches, for vectors. Groups in use."""
     m = shaped(march, SHAPE)
+    groups = (number + LANES - 1) // LANES
+    for n in range(number, groups * LANES):  # empty
+        g, lane = n // LANES, n % LANES
+        m[HALF_LENGTH, g, lane], m[PRESSURE, g, lane] = 0.0, 1.0
+        for row in range(_XI, _XI + _SCALED):
+            m[row, g, lane] = 0.0
     for g in range(groups):
         for lane in range(LANES):
             sticking = set_strip(
@@ -147,6 +209,8 @@ def _set_strips(groups: int, cells_x: int, poisson_ratio: float, march: Memory) 
                 march,
             )
             m[FIRST, g, lane] = math.floor(sticking * cells_x)
+    begin(groups, cells_x, march)
+    return groups
 
 
 @inlined_kernel

@@ -93,7 +93,7 @@ def influence_integral(t: float) -> float:
 def mean_density(t: float, half: float) -> float:
     """Mean of f over t - half .. t + half, for t >= 4 half: of two strips with one or more between them.
 
-    From f and f'' alone, with f'' = 2 E/(t^2 sqrt(1 + t^2)): good to 4e-4 of f at t = 4 half. Without
+    From f and f'' alone, with f'' = 2 E/(t^2 sqrt(1 + t^2)): good to 6e-4 of f at t = 4 half. Without
     branches, for vector instructions.
     """
     spread = half / t

@@ -69,6 +69,8 @@ _TINY = 1e-300  # prevents 0/0; far below every square that occurs [-]
 _XI, _ELLIPSE, _WORK, _POWER = 0, 1, 2, 3  # rows of a table over the cells of a strip
 _TABLE_ROWS, _CELLS = 4, 64
 _TABLE_SIZE = _TABLE_ROWS * _CELLS
+SLIP_COLUMNS = 6  # of a strip's slip and material, see `march_directions`
+SLIPS_SIZE = BLOCK * SLIP_COLUMNS
 
 
 @kernel
@@ -230,12 +232,38 @@ def _directions(first: int, count: int, cells_x: int, groups: int, state: Memory
 
 
 @kernel
-def _fill_rows(
-    patch: RollingPatch, rolling: Rolling, first: int, count: int, state: Memory, fields: Fields
+def march_directions(
+    first: int, count: int, groups: int, slips: Memory, state: Memory, fields: Fields
 ) -> tuple[float, float]:
+    """Fill the rows of a block of strips that is prepared for the march (kernel, allocates nothing).
+
+    Parameters
+    ----------
+    first, count, groups : int
+        Row of the first strip, strips and groups of the block.
+    slips : memory
+        (BLOCK, SLIP_COLUMNS): of every strip the longitudinal and lateral rigid slip in its middle [-], spin
+        [1/m], friction [-], and the strains of its surface over the pressure, along and across [1/Pa].
+    state : memory
+        Of the block.
+    fields : Fields
+        (>= first + count, nx) out.
+
+    Returns
+    -------
+    tuple of float
+        Work of the slip and power of the creepages, per distance rolled [N].
+    """
+    cells_x = fields.pressure.shape[1]
+    _directions(first, count, cells_x, groups, state, fields)
+    return _fill_rows(first, count, slips, state, fields)
+
+
+@kernel
+def _fill_rows(first: int, count: int, slips: Memory, state: Memory, fields: Fields) -> tuple[float, float]:
     """Fill the rows of a block, several cells at once; work of slip and power of the creepages [N]."""
     pressure, q_x, q_y, slip_x, slip_y = fields
-    nu_x, nu_y, phi = patch.nu_x, patch.nu_y, patch.phi
+    slip = shaped(slips, (BLOCK, SLIP_COLUMNS))
     cells_x = pressure.shape[1]
     s = shaped(state, SHAPE)
     table = shaped(memory(_TABLE_SIZE), (_TABLE_ROWS, _CELLS))
@@ -251,13 +279,13 @@ def _fill_rows(
             length, part = s[HALF_LENGTH, g, lane], s[PART, g, lane]
             peak = s[PRESSURE, g, lane] if length > 0.0 else 0.0
             area = s[WIDTH, g, lane] * length
-            bound = patch.friction * peak
+            rigid_x, nu_y, turn = slip[row, 0], slip[row, 1], slip[row, 2] * length
+            bound = slip[row, 3] * peak
             kappa, lambda_, prime = s[KAPPA, g, lane], s[LAMBDA, g, lane], s[PRIME, g, lane]
-            strain_x, strain_y = rolling.strain_x * peak, rolling.strain_y * peak
+            strain_x, strain_y = slip[row, 4] * peak, slip[row, 5] * peak
             strain = math.sqrt((strain_x * kappa) ** 2 + (strain_y * prime) ** 2)
             stick = (1.0 - part) ** 2
             full = s[FULL, g, lane] > 0.5
-            rigid_x, turn = nu_x - phi * s[Y, g, lane], phi * length
             slipping = min(max(math.floor(part * cells_x + 0.5) - start, 0), number)
             for c in range(slipping):
                 i = np.uint64(start + c)
@@ -298,14 +326,18 @@ def _fields(patch: RollingPatch, strips: FloatArray, elliptic: bool, count: int,
     """Fill the first `count` rows, and scale the slip of them all (see `field`)."""
     cells_x = fields.pressure.shape[1]
     rolling = rolling_strips(patch)
-    state = memory(STATE_SIZE)
+    state, slips = memory(STATE_SIZE), memory(SLIPS_SIZE)
     work, power = 0.0, 0.0
     for first in range(0, count, BLOCK):
         number = min(count - first, BLOCK)
         groups = _load(patch, strips, elliptic, (first, number, count), state)
         prepare(groups, rolling, cells_x, state)
-        _directions(first, number, cells_x, groups, state, fields)
-        lost, put_in = _fill_rows(patch, rolling, first, number, state, fields)
+        s, slip = shaped(state, SHAPE), shaped(slips, (BLOCK, SLIP_COLUMNS))
+        for row in range(number):
+            slip[row, 0] = patch.nu_x - patch.phi * s[Y, row // LANES, row % LANES]
+            slip[row, 1], slip[row, 2], slip[row, 3] = patch.nu_y, patch.phi, patch.friction
+            slip[row, 4], slip[row, 5] = rolling.strain_x, rolling.strain_y
+        lost, put_in = march_directions(first, number, groups, slips, state, fields)
         work, power = work + lost, power + put_in
     if work < 0.0 and power < 0.0:
         scale_slip(power / work, fields.slip_x[:count], fields.slip_y[:count])
