@@ -1,4 +1,4 @@
-"""Normal forces and pressures by coupled strips from tread to flange: exact solution, continuity, monotony."""
+"""Forces and pressures by coupled strips from tread to flange: exact solution, continuity, monotony."""
 
 import csv
 import math
@@ -33,7 +33,7 @@ def exact_rows() -> list[dict[str, float]]:
 
 
 def test_exact_from_tread_to_flange() -> None:
-    """Asked: force 6 %; pressure, 90th percentile, 10 % on tread and root and 16 % from there to the flange."""
+    """Asked: force 6 %; pressure, 90th percentile, 10 % on tread and root, 16 % from there to the flange."""
     pair, force, pressure = wheel_and_rail(S1002, RAIL), [], {True: [], False: []}
     for row in exact_rows():
         pose = (row["y_out"], row["z_ws"], row["yaw"])
