@@ -1,0 +1,208 @@
+"""Surface displacement of two half-spaces under stresses that are constant on the elements of a grid.
+
+Closed forms of Boussinesq and Cerruti, integrated over a rectangle (K.L. Johnson, Contact Mechanics, 1985,
+equations 3.25 and 3.75 to 3.77; J.J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990,
+appendix C). Wheel and rail are of one material: then pressure makes no tangential and traction no normal
+displacement difference (the constant K of the difference of materials is zero; it is left out).
+
+Arrays are (ny, nx): x in rolling direction, second index; y across, first. With u the displacement of the
+wheel less that of the rail, pressure p pressing them apart and q the traction on the wheel,
+
+    u_z = (1 - nu)/(pi G) int int p / r
+    u_x = 1/(pi G) int int ((1 - nu)/r + nu x^2/r^3) q_x + nu x y/r^3 q_y          and u_y with x and y changed
+
+In steady rolling the material passes an element in dx/V, and the slip over V of element i, averaged between
+its centre and that of its neighbour ahead, is w_i + (u_i - u_(i+1))/dx with the rigid slip w (Kalker 1990,
+section 4.1, with the step of one element; E.A.H. Vollebregt, CONTACT). These differences have transforms too.
+
+The sums over elements are convolutions. Their transforms are prepared once for a shape of the grid, a ratio
+of the sides of its elements and a Poisson's ratio, and shared between all solves; lengths only scale them.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from scipy import fft
+
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.material import Material
+
+_PREPARED = 64  # transforms that are kept; each takes a few hundred kilobytes
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A grid of nx by ny equal elements, centred on the origin.
+
+    Attributes
+    ----------
+    nx, ny : int
+        Elements along x and across y.
+    dx, dy : float
+        Sides of an element [m].
+    """
+
+    nx: int
+    ny: int
+    dx: float
+    dy: float
+
+    def __post_init__(self) -> None:
+        for name in ("nx", "ny"):
+            if not (1 <= getattr(self, name) <= 2000 and int(getattr(self, name)) == getattr(self, name)):
+                raise ValueError(f"{name} = {getattr(self, name)}; whole numbers from 1 to 2000 are allowed")
+        for name in ("dx", "dy"):
+            if not 0.0 < getattr(self, name) < np.inf:
+                raise ValueError(f"{name} = {getattr(self, name)} m; it must be finite and > 0 m")
+        if not 0.01 <= self.dx / self.dy <= 100.0:
+            raise ValueError(f"dx/dy = {self.dx / self.dy} [-]; it must lie in 0.01..100")
+
+    @property
+    def x(self) -> FloatArray:
+        """Centres along x [m], (nx,)."""
+        return (np.arange(self.nx) - 0.5 * (self.nx - 1)) * self.dx
+
+    @property
+    def y(self) -> FloatArray:
+        """Centres across [m], (ny,)."""
+        return (np.arange(self.ny) - 0.5 * (self.ny - 1)) * self.dy
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """(ny, nx)."""
+        return self.ny, self.nx
+
+    @property
+    def area(self) -> float:
+        """Of an element [m^2]."""
+        return self.dx * self.dy
+
+
+@dataclass(frozen=True)
+class Transforms:
+    """Transforms of the influence of one element of length 1 on all others, per 1/(pi G); complex arrays.
+
+    `normal` is u_z by p; `slip` (3, ...) are u_i - u_(i+1) of x by q_x, of y by q_y, and of both crossed;
+    `own` is the influence of an element on its own slip, (x, y).
+    """
+
+    padded: tuple[int, int]
+    normal: Any
+    slip: Any
+    own: tuple[float, float]
+
+
+def rectangle_integrals(x: Any, y: Any, half_x: float, half_y: float) -> FloatArray:
+    """Integrals of 1/r, x^2/r^3, y^2/r^3 and x y/r^3 over a rectangle about the origin, at places x, y.
+
+    Parameters
+    ----------
+    x, y : array_like
+        Places in the plane of the rectangle [m]; not on the lines through its sides.
+    half_x, half_y : float
+        Half its sides [m].
+
+    Returns
+    -------
+    ndarray, (4, ...)
+        Lengths [m].
+    """
+    result: FloatArray = np.zeros((4, *np.broadcast(x, y).shape))
+    for sign, shift_x, shift_y in ((1, 1, 1), (-1, -1, 1), (-1, 1, -1), (1, -1, -1)):
+        across, along = np.asarray(y) + shift_y * half_y, np.asarray(x) + shift_x * half_x
+        second = across * np.arcsinh(along / np.abs(across))  # its mixed derivative is x^2/r^3
+        third = along * np.arcsinh(across / np.abs(along))
+        result[0] += sign * (second + third)
+        result[1] += sign * second
+        result[2] += sign * third
+        result[3] -= sign * np.hypot(along, across)
+    return result
+
+
+@lru_cache(maxsize=_PREPARED)
+def _transforms(nx: int, ny: int, ratio: float, poisson_ratio: float) -> Transforms:
+    """The transforms of a grid of elements 1 by `ratio`."""
+    padded = (fft.next_fast_len(2 * ny, real=True), fft.next_fast_len(2 * nx, real=True))
+    along, across = np.arange(nx + 1.0), ratio * np.arange(ny)[:, None]
+    inverse, of_x, of_y, crossed = rectangle_integrals(along, across, 0.5, 0.5 * ratio)
+    even = [
+        (1.0 - poisson_ratio) * inverse,
+        (1.0 - poisson_ratio) * inverse + poisson_ratio * of_x,
+        (1.0 - poisson_ratio) * inverse + poisson_ratio * of_y,
+    ]
+    lags_x = np.arange(-nx, nx + 1)
+    lags_y = np.arange(-(ny - 1), ny)
+    rows, columns = np.abs(lags_y)[:, None], np.abs(lags_x)[None, :]
+    signs = np.sign(lags_y)[:, None] * np.sign(lags_x)[None, :]
+    full = [values[rows, columns] for values in even]
+    full.append(poisson_ratio * signs * crossed[rows, columns])
+
+    def transform(values: FloatArray) -> Any:
+        placed = np.zeros(padded)
+        placed[np.ix_(lags_y % padded[0], lags_x[:-1] % padded[1])] = values
+        return fft.rfft2(placed)
+
+    slips = [values[:, :-1] - values[:, 1:] for values in full[1:]]
+    own = (slips[0][ny - 1, nx], slips[1][ny - 1, nx])
+    return Transforms(
+        padded,
+        transform(full[0][:, :-1]),
+        np.stack([transform(values) for values in slips]),
+        (float(own[0]), float(own[1])),
+    )
+
+
+class Influence:
+    """What stresses on a grid do to the surfaces of wheel and rail.
+
+    Parameters
+    ----------
+    grid : Grid
+        The elements.
+    material : Material
+        Of both bodies.
+    """
+
+    def __init__(self, grid: Grid, material: Material) -> None:
+        self.grid, self.material = grid, material
+        self.transforms = _transforms(grid.nx, grid.ny, grid.dy / grid.dx, material.poisson_ratio)
+        self.flexibility = 1.0 / (np.pi * material.shear_modulus)  # [1/Pa]
+
+    def _forward(self, stress: FloatArray) -> Any:
+        """Transform of stresses (..., ny, nx) that are zero around the grid."""
+        rows, columns = self.transforms.padded
+        first = fft.rfft(stress, n=columns, axis=-1)
+        return fft.fft(first, n=rows, axis=-2, overwrite_x=True)
+
+    def _backward(self, transform: Any) -> FloatArray:
+        """The values on the grid, from their transform (overwritten)."""
+        ny, nx = self.grid.shape
+        first = fft.ifft(transform, axis=-2, overwrite_x=True)[..., :ny, :]
+        values: FloatArray = fft.irfft(first, n=self.transforms.padded[1], axis=-1, overwrite_x=True)
+        return values[..., :nx]
+
+    def normal(self, pressure: FloatArray) -> FloatArray:
+        """Normal displacement that drives the surfaces apart [m], (ny, nx), by a pressure [Pa]."""
+        product = self._forward(pressure)
+        product *= self.transforms.normal
+        product *= self.flexibility * self.grid.dx
+        return self._backward(product)
+
+    def slip(self, traction: FloatArray) -> FloatArray:
+        """Elastic part of the slip over V [-], (2, ny, nx), by a traction (2, ny, nx) on the wheel [Pa]."""
+        of_x, of_y, crossed = self.transforms.slip
+        given = self._forward(traction)
+        product = np.empty_like(given)
+        np.multiply(of_x, given[0], out=product[0])
+        product[0] += crossed * given[1]
+        np.multiply(of_y, given[1], out=product[1])
+        product[1] += crossed * given[0]
+        product *= self.flexibility
+        return self._backward(product)
+
+    @property
+    def own_slip(self) -> tuple[float, float]:
+        """Slip along and across that a traction of 1 Pa on one element makes there [1/Pa]."""
+        return self.transforms.own[0] * self.flexibility, self.transforms.own[1] * self.flexibility
