@@ -64,7 +64,7 @@ def patch(
         names = _theories(theory or [])
         from hh_exudyn.contact.material import STEEL
         from hh_exudyn.contact.tangential.api import creep_force, traction_field
-        from hh_exudyn.contact.tangential.registry import FIELD_THEORIES
+        from hh_exudyn.contact.tangential.registry import PATCH_FIELD_THEORIES
         from hh_exudyn.figures.patch import PatchLoad, patch_figure
 
         load = PatchLoad(a_mm * 1e-3, b_mm * 1e-3, load_kn * 1e3, nu_x, nu_y, spin, friction)
@@ -72,7 +72,7 @@ def patch(
         fields = {
             name: traction_field(name, *load.arguments, cells=(cells, cells))
             for name in names
-            if name in FIELD_THEORIES
+            if name in PATCH_FIELD_THEORIES
         }
         output.print_table(_patch_table(load, forces, fields))
         output.print_line(
@@ -229,12 +229,12 @@ def _summary(report: "ConicityReport") -> str:
 
 def _theories(wanted: list[str]) -> list[str]:
     """The named theories in the order of the registry; all of them where none is named."""
-    from hh_exudyn.contact.tangential.registry import THEORIES
+    from hh_exudyn.contact.tangential.registry import PATCH_THEORIES
 
     for name in wanted:
-        if name not in THEORIES:
-            raise inputs.BadInput(f"--theory {name}: unknown, allowed: {', '.join(THEORIES)}")
-    return [name for name in THEORIES if name in wanted or not wanted]
+        if name not in PATCH_THEORIES:
+            raise inputs.BadInput(f"--theory {name}: unknown, allowed: {', '.join(PATCH_THEORIES)}")
+    return [name for name in PATCH_THEORIES if name in wanted or not wanted]
 
 
 def _wheel(name: str) -> "Profile":

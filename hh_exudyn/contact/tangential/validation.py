@@ -21,7 +21,7 @@ from scipy.interpolate import RegularGridInterpolator
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import Material
 from hh_exudyn.contact.tangential.api import cell_areas, creep_force, traction_field
-from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES
+from hh_exudyn.contact.tangential.registry import PATCH_FIELD_THEORIES, PATCH_THEORIES
 
 CELLS = (50, 50)  # cells along and strips across that the theories are run with
 _DATA = files("hh_exudyn") / "data" / "validation"
@@ -207,7 +207,7 @@ _COMPARED: dict[str, tuple[_Wanted, ...]] = {  # the cases of a theory that is n
     "strip": (_ALL, ("a/b = 0.2, no spin", _slender)),  # the range that strip theory is made for
     "polach": (_ALL, ("no spin", _no_spin)),
 }
-_ROWS = [(theory, *wanted) for theory in THEORIES for wanted in _COMPARED.get(theory, (_ALL,))]
+_ROWS = [(theory, *wanted) for theory in PATCH_THEORIES for wanted in _COMPARED.get(theory, (_ALL,))]
 
 
 def contact_table(cells: tuple[int, int] = CELLS) -> list[TheoryErrors]:
@@ -230,7 +230,7 @@ def contact_table(cells: tuple[int, int] = CELLS) -> list[TheoryErrors]:
             theory, label, len(errors), float(np.mean(errors)), float(np.percentile(errors, 95.0)),
             float(np.max(errors)), 0,
         )  # fmt: skip
-        if theory in FIELD_THEORIES:
+        if theory in PATCH_FIELD_THEORIES:
             of_fields = [field_errors(theory, exact, cells) for exact in fields if wanted(exact.case)]
             if of_fields:
                 row = _with_fields(row, of_fields)
