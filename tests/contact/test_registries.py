@@ -11,7 +11,12 @@ import pytest
 
 from hh_exudyn.case.contact import ContactCase
 from hh_exudyn.contact.normal.registry import NORMAL, check_combination
-from hh_exudyn.contact.tangential.registry import PATCH_FIELD_THEORIES, PATCH_THEORIES, RUN_THEORIES, TANGENTIAL
+from hh_exudyn.contact.tangential.registry import (
+    PATCH_FIELD_THEORIES,
+    PATCH_THEORIES,
+    RUN_THEORIES,
+    TANGENTIAL,
+)
 from hh_exudyn.contact.tangential.validation import contact_table
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -2,12 +2,12 @@
 
 Every strip of the wheel, `spacing` wide along the arc of its profile, has its own normal: with the mean g of
 the angles of wheel and rail there. Along it the undeformed bodies overlap by d = -gap cos g, gap the vertical
-one between silhouette and rail; a quarter of a strip beside, by less: h = d - A (x - x0)^2 with A = cos g /
+one between silhouette and rail, and ahead of it or behind by h = d - A (x - x0)^2 with A = cos g /
 (2 R), R the strip's rolling radius, and x0 where the silhouette lies. Lowering the wheel by delta adds
 delta cos g, and nothing else changes: so one overlap serves all heights.
 
-Coordinates: x in rolling direction from below the wheelset's centre, s across along the arc, increasing with y
-of the contact frame C (to the left on either wheel).
+Coordinates: x in rolling direction from below the wheelset's centre, s across along the arc, increasing with
+y of the contact frame C (to the left on either wheel).
 """
 
 import math
@@ -37,7 +37,7 @@ class ConformalOverlap:
     y_wheel, y_rail : ndarray
         Places on the profiles, side coordinates [m].
     overlap : ndarray
-        Of the undeformed bodies along the strip's normal, at the height of the pair [m]; -inf beside the rail.
+        Of the undeformed bodies along the strip's normal, at the pair's height [m]; -inf beside the rail.
     angle : ndarray
         Of the normal, the mean of both profiles' slope angles in side coordinates [rad].
     curvature : ndarray

@@ -25,8 +25,8 @@ def conformal_slip(
     contact : ConformalContact
         Where wheel and rail touch.
     velocity, angular_velocity : ndarray, (3,)
-        Of the wheelset's centre [m/s] and of the wheelset [rad/s], pitch included, in axes of the rail's frame
-        R, less the rail's own velocity.
+        Of the wheelset's centre [m/s] and of the wheelset [rad/s], pitch included, in axes of the rail's
+        frame R, less the rail's own velocity.
     speed : float
         V [m/s], > 0.
 

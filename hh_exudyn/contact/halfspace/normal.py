@@ -152,7 +152,9 @@ def _carry(pressure: FloatArray, weight: FloatArray, limit: float, load_over_are
     return changed
 
 
-def _first_guess(overlap: FloatArray, weight: FloatArray, approach: float, influence: Influence) -> FloatArray:
+def _first_guess(
+    overlap: FloatArray, weight: FloatArray, approach: float, influence: Influence
+) -> FloatArray:
     """A pressure of about the right shape: the root of the overlap in its upper part."""
     total = overlap + approach * weight
     pressure = np.sqrt(np.maximum(total, 0.0))
@@ -172,7 +174,9 @@ def _check(
 ) -> None:
     """ValueError for anything out of range."""
     if overlap.shape != influence.grid.shape or weight.shape != influence.grid.shape:
-        raise ValueError(f"overlap {overlap.shape}: an array of the grid's shape {influence.grid.shape} is needed")
+        raise ValueError(
+            f"overlap {overlap.shape}: an array of the grid's shape {influence.grid.shape} is needed"
+        )
     if not (np.all(np.isfinite(overlap)) and np.all(weight > 0.0)):
         raise ValueError("overlap must be finite [m] and weight > 0 in all elements")
     if (approach is None) == (load is None):
@@ -184,7 +188,9 @@ def _check(
     if load is not None:
         most = limit * influence.grid.area * float(weight.sum())
         if not 0.0 < load < most:
-            raise ValueError(f"load = {load} N; it must lie in 0..{most} N, what the grid carries at the limit")
+            raise ValueError(
+                f"load = {load} N; it must lie in 0..{most} N, what the grid carries at the limit"
+            )
 
 
 def normal_contact(
@@ -236,7 +242,9 @@ def normal_contact(
     if start is None:
         reference = approach
         if reference is None:  # so that a part of the grid overlaps
-            reference = -float(np.partition(overlap.ravel(), -max(overlap.size // 2, 1))[-max(overlap.size // 2, 1)])
+            reference = -float(
+                np.partition(overlap.ravel(), -max(overlap.size // 2, 1))[-max(overlap.size // 2, 1)]
+            )
         pressure = _first_guess(overlap, weights, reference, influence)
     else:
         pressure = np.array(start, dtype=np.float64)
@@ -273,7 +281,7 @@ def _solve(
         worst, largest, changed = _find_free(p, u, h, e, limit, delta, free, gap)
         if worst <= tolerance * largest or (largest == 0.0 and worst == 0.0):
             break
-        _direction(gap, last_gap, direction, changed or fresh and iteration == 0)
+        _direction(gap, last_gap, direction, changed or (fresh and iteration == 0))
         effect = influence.normal(direction.reshape(shape)).ravel()
         fresh = _move(p, u, gap, direction, effect, limit)
     else:

@@ -73,7 +73,10 @@ class RollingSolution:
 def _circulant(nx: int, ny: int, ratio: float, poisson_ratio: float) -> tuple[Any, Any]:
     """Eigenvalues (2, rows, columns) per 1/(pi G) of the preconditioner, and the half turn along x."""
     rows, columns = fft.next_fast_len(ny), fft.next_fast_len(nx)
-    lag_x, lag_y = np.arange(-(columns // 2), columns - columns // 2), np.arange(-(rows // 2), rows - rows // 2)
+    lag_x, lag_y = (
+        np.arange(-(columns // 2), columns - columns // 2),
+        np.arange(-(rows // 2), rows - rows // 2),
+    )
     ends = np.append(lag_x, lag_x[-1] + 1).astype(float)
     inverse, of_x, of_y, _ = rectangle_integrals(ends, ratio * lag_y[:, None], 0.5, 0.5 * ratio)
     values = []
@@ -315,8 +318,6 @@ def _newton(
         change, _ = gmres(operator, precondition, right.reshape(shape), _LINEAR_TOLERANCE, _MOST_DIRECTIONS)
         _advance(q, fixed, change.reshape(2, count), bound)
     raise ArithmeticError(f"rolling contact: residual {worst / largest:.1e} after {_MOST_STEPS} Newton steps")
-
-
 
 
 def _solution(

@@ -126,9 +126,7 @@ def _around(
 
 def _touches_border(pressure: FloatArray) -> bool:
     """Whether any element at the grid's border is in contact."""
-    return bool(
-        pressure[0].any() or pressure[-1].any() or pressure[:, 0].any() or pressure[:, -1].any()
-    )
+    return bool(pressure[0].any() or pressure[-1].any() or pressure[:, 0].any() or pressure[:, -1].any())
 
 
 def _nearest(values: FloatArray, rows: FloatArray, columns: FloatArray) -> FloatArray:

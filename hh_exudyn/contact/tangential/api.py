@@ -18,8 +18,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.halfspace.ellipse import ellipse_field, ellipse_force
+from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.tangential.registry import (
     FASTRIP,
     PATCH_FIELD_THEORIES,

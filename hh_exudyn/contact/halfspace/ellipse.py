@@ -1,0 +1,147 @@
+"""The half-space solution of a Hertzian ellipse in steady rolling: the theory "halfspace" of `tangential`.
+
+The ellipse lies in a box of 2 a by 2 b with the given numbers of elements; pressure is Hertz's at their
+centres, scaled to carry the normal force. The force is extrapolated from this grid and one of half as many
+elements, since its error is proportional to their size (`tangential.validation` says how small it gets);
+stresses and slip are those of the finer grid.
+
+All is solved for a y > 0 creepage (or spin) in units of the ellipse, so that mirrored and scaled cases have
+results that are mirrored and scaled.
+"""
+
+import math
+
+import numpy as np
+
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.halfspace.influence import Grid, Influence
+from hh_exudyn.contact.halfspace.rolling import RollingSolution, rigid_slip, rolling_contact
+from hh_exudyn.contact.material import Material
+from hh_exudyn.contact.types import Fields, RollingPatch, Triple
+
+_TOLERANCE = 1e-5  # of the rolling solution
+_LEAST_EXTRAPOLATED = 6  # elements along an axis: fewer are no grid to extrapolate from
+
+
+def hertz_pressure(influence: Influence, a: float, b: float, normal_force: float) -> FloatArray:
+    """Hertz's pressure at the centres of a grid's elements, scaled to carry the force, (ny, nx) [Pa]."""
+    grid = influence.grid
+    inside = 1.0 - (grid.x[None, :] / a) ** 2 - (grid.y[:, None] / b) ** 2
+    pressure = np.sqrt(np.maximum(inside, 0.0))
+    scaled: FloatArray = pressure * (normal_force / (pressure.sum() * grid.area))
+    return scaled
+
+
+def _solve(patch: RollingPatch, cells: tuple[int, int], start: RollingSolution | None) -> RollingSolution:
+    """The patch (in its own units) on one grid, from the solution on half of it."""
+    grid = Grid(cells[0], cells[1], 2.0 * patch.a / cells[0], 2.0 * patch.b / cells[1])
+    influence = Influence(grid, Material(patch.shear_modulus, patch.poisson_ratio))
+    bound = patch.friction * hertz_pressure(influence, patch.a, patch.b, patch.normal_force)
+    traction = None
+    if start is not None:
+        rows = np.arange(cells[1]) * start.stick.shape[0] // cells[1]
+        columns = np.arange(cells[0]) * start.stick.shape[1] // cells[0]
+        traction = start.traction[:, rows[:, None], columns]
+    slip = rigid_slip(influence, patch.nu_x, patch.nu_y, patch.phi)
+    return rolling_contact(influence, bound, slip, start=traction, tolerance=_TOLERANCE)
+
+
+def _own_units(patch: RollingPatch) -> tuple[RollingPatch, float, float, bool]:
+    """The patch with c = sqrt(a b) = 1 and p0 = 1; c [m], p0 [Pa], and whether it was mirrored."""
+    size = math.sqrt(patch.a * patch.b)
+    pressure = 1.5 * patch.normal_force / (math.pi * patch.a * patch.b)
+    mirrored = patch.nu_y < 0.0 or (patch.nu_y == 0.0 and patch.phi < 0.0)
+    sign = -1.0 if mirrored else 1.0
+    own = patch._replace(
+        a=patch.a / size,
+        b=patch.b / size,
+        normal_force=math.pi / 1.5,
+        nu_y=sign * patch.nu_y,
+        phi=sign * patch.phi * size,
+        shear_modulus=patch.shear_modulus / pressure,
+    )
+    return own, size, pressure, mirrored
+
+
+def solve_ellipse(
+    patch: RollingPatch, cells: tuple[int, int]
+) -> tuple[RollingSolution, RollingSolution | None]:
+    """Solutions on the given grid and on half of it (None for grids too small), in units of the patch."""
+    halves = (max((cells[0] + 1) // 2, 1), max((cells[1] + 1) // 2, 1))
+    coarse = None if min(cells) < _LEAST_EXTRAPOLATED else _solve(patch, halves, None)
+    return _solve(patch, cells, coarse), coarse
+
+
+def ellipse_force(patch: RollingPatch, cells: tuple[int, int]) -> Triple:
+    """Creep force and moment on the wheel, extrapolated to elements of no size: F_x, F_y [N], M_z [N m].
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        With normal force, area, friction and creepage.
+    cells : tuple of int
+        Elements along x and across y.
+    """
+    own, size, pressure, mirrored = _own_units(patch)
+    fine, coarse = solve_ellipse(own, cells)
+    result = np.array([*fine.force, fine.moment])
+    if coarse is not None:
+        ratio = math.sqrt(math.prod(cells) / math.prod(coarse.stick.shape))
+        result = result + (result - np.array([*coarse.force, coarse.moment])) / (ratio - 1.0)
+        limit = own.friction * own.normal_force
+        length = math.hypot(result[0], result[1])
+        if length > limit:
+            result[:2] *= limit / length
+    if mirrored:
+        result[1:] = -result[1:]
+    force = pressure * size**2
+    return float(result[0]) * force, float(result[1]) * force, float(result[2]) * force * size
+
+
+def _along_strip(x: FloatArray, centres: FloatArray, values: FloatArray) -> FloatArray:
+    """Values (..., n) at the centres, at places x: linear between, the nearest beyond."""
+    flat = values.reshape(-1, values.shape[-1])
+    found: FloatArray = np.stack([np.interp(x, centres, row) for row in flat])
+    return found.reshape(*values.shape[:-1], x.size)
+
+
+def ellipse_field(patch: RollingPatch, fields: Fields) -> None:
+    """Fill pressure, traction and slip on the strips of `tangential.api`.
+
+    Strips are the rows of the grid; along each the traction over its bound is interpolated. Pressure is
+    Hertz's. Slip opposes traction, and is none in a cell whose nearest element sticks.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        With normal force, area, friction and creepage.
+    fields : Fields
+        Arrays (ny, nx), written.
+    """
+    ny, nx = fields.pressure.shape
+    own, _, pressure, mirrored = _own_units(patch)
+    solution, _ = solve_ellipse(own, (nx, ny))
+    grid = Grid(nx, ny, 2.0 * own.a / nx, 2.0 * own.b / ny)
+    bound = own.friction * hertz_pressure(
+        Influence(grid, Material(own.shear_modulus, own.poisson_ratio)), own.a, own.b, own.normal_force
+    )
+    along = -1.0 + (2.0 * np.arange(nx) + 1.0) / nx
+    sign = -1.0 if mirrored else 1.0
+    for j in range(ny):
+        lateral = -1.0 + (2 * j + 1) / ny
+        cosine = math.sqrt(1.0 - lateral * lateral)
+        x = own.a * cosine * along
+        row = ny - 1 - j if mirrored else j
+        inside = np.flatnonzero(bound[row] > 0.0)
+        fields.pressure[j] = pressure * cosine * np.sqrt(1.0 - along**2)
+        limits = bound[row, inside]
+        share = solution.traction[:, row, inside] / limits
+        length = _along_strip(x, grid.x[inside], np.hypot(share[0], share[1]))
+        share = _along_strip(x, grid.x[inside], share)
+        speed = _along_strip(x, grid.x[inside], np.hypot(*solution.slip[:, row, inside]))
+        nearest = inside[np.abs(x[:, None] - grid.x[inside]).argmin(axis=1)]
+        speed = np.where(solution.stick[row, nearest], 0.0, speed)
+        direction = share / np.maximum(np.hypot(share[0], share[1]), 1e-300)
+        traction = direction * np.minimum(length, 1.0) * patch.friction * fields.pressure[j]
+        fields.q_x[j], fields.q_y[j] = traction[0], sign * traction[1]
+        fields.slip_x[j], fields.slip_y[j] = -speed * direction[0], -sign * speed * direction[1]
