@@ -7,6 +7,7 @@ Folders, in the order of the computation; each has a map of its own.
 `geometry`          where wheels and rails touch, without any force; equivalent conicity
 `normal`            Hertz and non-elliptic patches; stresses below a patch
 `tangential`        creep forces and tractions by all theories
+`halfspace`         the exact solution: half-spaces, pressure, rolling, stresses below
 ==================  =================================================================================
 
 Their composition.

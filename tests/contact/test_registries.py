@@ -65,7 +65,7 @@ def force(patch):
     return -size * patch.nu_x, -size * patch.nu_y, 0.0
 """
 EDITS = (  # in the registry: the text before which a line is put, the line
-    ("CARTER = 3", "DUMMY = 10"),
+    ("CARTER = 3", "DUMMY = 11"),
     ("    Theory(STRIP,", '    Theory(DUMMY, "dummy", "full slip", has_field=False, has_moment=False),'),
     (
         "    if theory == FASTRIP:\n        return fastrip.force(",

@@ -9,7 +9,9 @@ Arrays are (ny, nx): x in rolling direction, second index; y across, first. With
 wheel less that of the rail, pressure p pressing them apart and q the traction on the wheel,
 
     u_z = (1 - nu)/(pi G) int int p / r
-    u_x = 1/(pi G) int int ((1 - nu)/r + nu x^2/r^3) q_x + nu x y/r^3 q_y          and u_y with x and y changed
+    u_x = 1/(pi G) int int ((1 - nu)/r + nu x^2/r^3) q_x + nu x y/r^3 q_y
+
+and u_y with x and y exchanged.
 
 In steady rolling the material passes an element in dx/V, and the slip over V of element i, averaged between
 its centre and that of its neighbour ahead, is w_i + (u_i - u_(i+1))/dx with the rigid slip w (Kalker 1990,
@@ -62,12 +64,14 @@ class Grid:
     @property
     def x(self) -> FloatArray:
         """Centres along x [m], (nx,)."""
-        return (np.arange(self.nx) - 0.5 * (self.nx - 1)) * self.dx
+        places: FloatArray = (np.arange(self.nx) - 0.5 * (self.nx - 1)) * self.dx
+        return places
 
     @property
     def y(self) -> FloatArray:
         """Centres across [m], (ny,)."""
-        return (np.arange(self.ny) - 0.5 * (self.ny - 1)) * self.dy
+        places: FloatArray = (np.arange(self.ny) - 0.5 * (self.ny - 1)) * self.dy
+        return places
 
     @property
     def shape(self) -> tuple[int, int]:

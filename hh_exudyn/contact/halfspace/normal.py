@@ -1,17 +1,18 @@
 """Normal contact of two half-spaces: the pressure that keeps them apart, by conjugate gradients with bounds.
 
 Find 0 <= p <= limit so that the gap g = A p - h - delta e is zero where 0 < p < limit, not negative where
-p = 0 and not positive where p = limit. A is the influence of the pressure, h the undeformed overlap, delta the
-approach, given or following from the load L = sum of p e times the area of an element; e is 1, or the share
-of an element's normal in the direction of approach and load.
+p = 0 and not positive where p = limit. A is the influence of the pressure, h the undeformed overlap, delta
+the approach, given or following from the load L = sum of p e times the area of an element; e is 1, or the
+share of an element's normal in the direction of approach and load.
 
 I.A. Polonsky, L.M. Keer, Wear 231 (1999) 206-219; E.A.H. Vollebregt, J. Tribology 136 (2014) 041401. Ours
 are the upper bound, at which an element is held like one at p = 0, and the weights e.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.optimize import brentq
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.halfspace.influence import Influence
@@ -126,42 +127,30 @@ def _move(
 
 
 @kernel
-def _carry(pressure: FloatArray, weight: FloatArray, limit: float, load_over_area: float) -> bool:
-    """Scale the pressures below the limit so that all carry the load; whether anything changed."""
-    changed = False
-    for _ in range(100):  # scaling up may bring more elements to the limit
-        free, held = 0.0, 0.0
-        for i in range(pressure.size):
-            if pressure[i] < limit:
-                free += weight[i] * pressure[i]
-            else:
-                held += weight[i] * pressure[i]
-        factor = (load_over_area - held) / free if free > 0.0 else 1.0
-        factor = max(factor, 0.0)
-        if abs(factor - 1.0) < 1e-14:
-            break
-        changed = True
-        again = False
-        for i in range(pressure.size):
-            if pressure[i] < limit:
-                pressure[i] *= factor
-                if pressure[i] > limit:
-                    pressure[i], again = limit, True
-        if not again:
-            break
-    return changed
+def _carry(pressure: FloatArray, weight: FloatArray, load_over_area: float) -> bool:
+    """Scale the pressures so that they carry the load; whether anything changed."""
+    total = 0.0
+    for i in range(pressure.size):
+        total += weight[i] * pressure[i]
+    factor = load_over_area / total
+    if abs(factor - 1.0) < 1e-14:
+        return False
+    for i in range(pressure.size):
+        pressure[i] *= factor
+    return True
 
 
 def _first_guess(
-    overlap: FloatArray, weight: FloatArray, approach: float, influence: Influence
+    influence: Influence, overlap: FloatArray, weight: FloatArray, approach: float | None
 ) -> FloatArray:
-    """A pressure of about the right shape: the root of the overlap in its upper part."""
-    total = overlap + approach * weight
-    pressure = np.sqrt(np.maximum(total, 0.0))
-    if not pressure.any():
+    """A pressure of about the right shape: the root of the overlap, with half of the grid under a load."""
+    if approach is None:
+        approach = -float(np.median(overlap / weight))
+    total = np.maximum(overlap + approach * weight, 0.0)
+    pressure: FloatArray = np.sqrt(total)
+    if not pressure.any():  # no contact, or a flat overlap
         return pressure
-    displacement = influence.normal(pressure)
-    return pressure * (0.6 * total.max() / displacement.max())
+    return pressure * (0.6 * total.max() / influence.normal(pressure).max())
 
 
 def _check(
@@ -171,6 +160,7 @@ def _check(
     approach: float | None,
     load: float | None,
     limit: float,
+    start: FloatArray | None,
 ) -> None:
     """ValueError for anything out of range."""
     if overlap.shape != influence.grid.shape or weight.shape != influence.grid.shape:
@@ -181,6 +171,8 @@ def _check(
         raise ValueError("overlap must be finite [m] and weight > 0 in all elements")
     if (approach is None) == (load is None):
         raise ValueError(f"approach = {approach} m, load = {load} N: one of both is needed")
+    if start is not None and (start.shape != overlap.shape or not np.all(start >= 0.0)):
+        raise ValueError(f"start {start.shape}: pressures >= 0 Pa of the grid's shape are needed")
     if approach is not None and not np.isfinite(approach):
         raise ValueError(f"approach = {approach} m; it must be finite")
     if not limit > 0.0:
@@ -238,18 +230,49 @@ def normal_contact(
     """
     overlap = np.ascontiguousarray(overlap, dtype=np.float64)
     weights = np.ones(overlap.shape) if weight is None else np.ascontiguousarray(weight, dtype=np.float64)
-    _check(influence, overlap, weights, approach, load, limit)
-    if start is None:
-        reference = approach
-        if reference is None:  # so that a part of the grid overlaps
-            reference = -float(
-                np.partition(overlap.ravel(), -max(overlap.size // 2, 1))[-max(overlap.size // 2, 1)]
-            )
-        pressure = _first_guess(overlap, weights, reference, influence)
-    else:
+    _check(influence, overlap, weights, approach, load, limit, start)
+    if start is not None and start.any():
         pressure = np.array(start, dtype=np.float64)
-    pressure = np.clip(pressure, 0.0, limit)
-    return _solve(influence, overlap, weights, approach, load, limit, pressure, tolerance)
+    else:
+        pressure = _first_guess(influence, overlap, weights, approach)
+        if load is not None and not pressure.any():
+            pressure = np.ones(overlap.shape)
+    if load is None:
+        pressure = np.minimum(pressure, limit)
+        return _solve(influence, overlap, weights, approach, None, limit, pressure, tolerance)
+    free = _solve(influence, overlap, weights, None, load, np.inf, pressure, tolerance)
+    if free.pressure.max() <= limit:
+        return free
+    return _under_limit(influence, overlap, weights, load, limit, free, tolerance)
+
+
+def _under_limit(
+    influence: Influence,
+    overlap: FloatArray,
+    weight: FloatArray,
+    load: float,
+    limit: float,
+    free: NormalSolution,
+    tolerance: float,
+) -> NormalSolution:
+    """The approach at which the bounded pressure carries the load; from the solution without a limit.
+
+    The load grows with the approach, by no more than it does where nothing is at the limit.
+    """
+    found = replace(free, pressure=np.minimum(free.pressure, limit))
+
+    def excess(approach: float) -> float:
+        nonlocal found
+        found = _solve(influence, overlap, weight, approach, None, limit, found.pressure.copy(), tolerance)
+        return found.load - load
+
+    low, step = free.approach, 0.05 * float(influence.normal(free.pressure).max())
+    high = low + step
+    while excess(high) < 0.0:
+        low, step = high, 2.0 * step
+        high = low + step
+    brentq(excess, low, high, xtol=1e-6 * step, rtol=1e-12)
+    return found
 
 
 def _solve(
@@ -273,7 +296,7 @@ def _solve(
     worst, largest = np.inf, 0.0
     for iteration in range(_MOST_ITERATIONS):
         if load is not None:
-            fresh |= _carry(p, e, limit, carried)
+            fresh |= _carry(p, e, carried)
         if fresh:
             u = influence.normal(p.reshape(shape)).ravel()
         if load is not None:

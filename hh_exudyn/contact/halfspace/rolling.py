@@ -228,7 +228,8 @@ def _check(influence: Influence, bound: FloatArray, slip: FloatArray) -> None:
     shape = influence.grid.shape
     if bound.shape != shape or slip.shape != (2, *shape):
         raise ValueError(
-            f"bound {bound.shape}, rigid slip {slip.shape}: arrays of shapes {shape} and {(2, *shape)} are needed"
+            f"bound {bound.shape}, rigid slip {slip.shape}: "
+            f"arrays of shapes {shape} and {(2, *shape)} are needed"
         )
     if not (np.all(np.isfinite(bound)) and np.all(bound >= 0.0)):
         raise ValueError("bound, the friction times the pressure, must be finite and >= 0 Pa in all elements")

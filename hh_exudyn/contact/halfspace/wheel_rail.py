@@ -1,8 +1,8 @@
 """A wheel on a rail as half-spaces over the curved surface of contact: pressure, force, place.
 
-The overlap is that of `conformal`; influence is that of the half-space over x and the arc s (what CONTACT does
-with a conformal reference surface and half-space influence). A coarse solution finds how far the wheel comes
-down and where it touches; the fine one is solved there, from the coarse pressure.
+The overlap is that of `conformal`; influence is that of the half-space over x and the arc s (what CONTACT
+does with a conformal reference surface and half-space influence). A coarse solution finds how far the wheel
+comes down and where it touches; the fine one is solved there, from the coarse pressure.
 """
 
 from dataclasses import dataclass
@@ -91,7 +91,8 @@ class _Window:
 
     def x(self, spacing: float) -> FloatArray:
         """Places along x [m]."""
-        return self.middle + (np.arange(self.along) - 0.5 * (self.along - 1)) * spacing
+        places: FloatArray = self.middle + (np.arange(self.along) - 0.5 * (self.along - 1)) * spacing
+        return places
 
 
 def _overlapping(overlap: ConformalOverlap, lowering: float, spacing: float) -> _Window | None:

@@ -202,7 +202,8 @@ def traction_field(
     Raises
     ------
     ValueError
-        For a theory without a stress field (not one of `registry.PATCH_FIELD_THEORIES`), or an argument out of range.
+        For a theory without a stress field (not one of `registry.PATCH_FIELD_THEORIES`), or an argument out
+        of range.
     """
     if theory in PATCH_THEORIES and theory not in PATCH_FIELD_THEORIES:
         raise ValueError(
