@@ -1,4 +1,4 @@
-"""Kalker's full theory: wheel and rail as elastic half-spaces, without further assumptions on pressure or slip.
+"""Kalker's full theory: wheel and rail as elastic half-spaces, with no assumption on pressure or slip.
 
 ===================  ================================================================================
 `influence`          displacements and slip by stresses on the elements of a grid
@@ -14,8 +14,8 @@
 `validation`         comparison with outside numbers, as a table
 ===================  ================================================================================
 
-Both bodies are of one material (`material.Material`), so pressure and traction do not couple. Elements are equal
-rectangles; x is the rolling direction, the second index.
+Both bodies are of one material (`material.Material`), so pressure and traction do not couple. Elements are
+equal rectangles; x is the rolling direction, the second index.
 
 Used by `tangential.api`, and by people; a run uses faster theories.
 """

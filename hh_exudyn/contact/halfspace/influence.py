@@ -64,14 +64,12 @@ class Grid:
     @property
     def x(self) -> FloatArray:
         """Centres along x [m], (nx,)."""
-        places: FloatArray = (np.arange(self.nx) - 0.5 * (self.nx - 1)) * self.dx
-        return places
+        return np.asarray((np.arange(self.nx) - 0.5 * (self.nx - 1)) * self.dx, dtype=np.float64)
 
     @property
     def y(self) -> FloatArray:
         """Centres across [m], (ny,)."""
-        places: FloatArray = (np.arange(self.ny) - 0.5 * (self.ny - 1)) * self.dy
-        return places
+        return np.asarray((np.arange(self.ny) - 0.5 * (self.ny - 1)) * self.dy, dtype=np.float64)
 
     @property
     def shape(self) -> tuple[int, int]:

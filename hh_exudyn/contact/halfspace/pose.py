@@ -22,7 +22,7 @@ def wheel_above_rail(
     roll: float = 0.0,
     gauge: float = NOMINAL_GAUGE,
     back_to_back: float = BACK_TO_BACK,
-    smoothing: float = 0.5e-3,
+    smoothing: float = 0.25e-3,
 ) -> WheelRailPair:
     """The pair of a wheel and its rail in the pose of a wheelset.
 

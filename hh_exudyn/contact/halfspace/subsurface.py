@@ -1,19 +1,19 @@
 """Stresses below the surface under pressures and tractions that are constant on the elements of a grid.
 
-Closed forms from the potentials of Boussinesq and Cerruti (K.L. Johnson, Contact Mechanics, 1985, equations 3.4
-to 3.10): with the kernel chi = ln(rho + z), rho the distance and z the depth, and omega = z chi - rho,
+Closed forms from the potentials of Boussinesq and Cerruti (K.L. Johnson, Contact Mechanics, 1985, equations
+3.4 to 3.10): with the kernel c = ln(rho + z), rho the distance and z the depth, and o = z c - rho, by
 
-    pressure   2 pi sigma_x = 2 nu chi_zz - z chi_xxz - (1 - 2 nu) chi_xx      2 pi sigma_z = chi_zz - z chi_zzz
-               2 pi tau_xy = -z chi_xyz - (1 - 2 nu) chi_xy                    2 pi tau_xz = -z chi_xzz
-    traction x 2 pi sigma_x = 2 (1 + nu) chi_xz + 2 nu omega_xxx - z chi_xxx   2 pi sigma_z = -z chi_xzz
-               2 pi sigma_y = 2 nu chi_xz + 2 nu omega_xyy - z chi_xyy         2 pi tau_yz = -z chi_xyz
-               2 pi tau_xy = chi_yz + 2 nu omega_xxy - z chi_xxy               2 pi tau_xz = chi_zz - z chi_xxz
+    pressure         2 pi sigma_x = 2 nu c_zz - z c_xxz - (1 - 2 nu) c_xx    2 pi tau_xz = -z c_xzz
+                     2 pi tau_xy = -z c_xyz - (1 - 2 nu) c_xy                2 pi sigma_z = c_zz - z c_zzz
+    traction along x 2 pi sigma_x = 2 (1 + nu) c_xz + 2 nu o_xxx - z c_xxx   2 pi sigma_z = -z c_xzz
+                     2 pi sigma_y = 2 nu c_xz + 2 nu o_xyy - z c_xyy         2 pi tau_yz = -z c_xyz
+                     2 pi tau_xy = c_yz + 2 nu o_xxy - z c_xxy               2 pi tau_xz = c_zz - z c_xxz
 
 and what follows with x and y exchanged. Over a rectangle each is a sum over its corners of the function whose
 mixed derivative in x and y it is; over the grid it is a convolution.
 
-Frame and signs are those of `normal.subsurface`: depth into the body, tension positive, tractions on the body at
-hand. For the wheel that is z of the contact frame and the library's traction; for the rail the opposite traction.
+Frame and signs are those of `normal.subsurface`: depth into the body, tension positive, tractions on the body
+at hand. For the wheel that is z of the contact frame and the library's traction, for the rail its opposite.
 """
 
 from dataclasses import dataclass
@@ -164,9 +164,7 @@ def stress_below(
         raise ValueError(f"depth = {depths} m; all must be finite and > 0 m, into the body")
     loads = np.zeros((3, *grid.shape))
     if pressure.shape != grid.shape or (traction is not None and traction.shape != (2, *grid.shape)):
-        raise ValueError(
-            f"pressure {pressure.shape}: the grid's shape {grid.shape} is needed, of tractions two"
-        )
+        raise ValueError(f"pressure {pressure.shape}: the grid's shape {grid.shape}, of tractions two")
     loads[2] = pressure
     if traction is not None:
         loads[:2] = traction

@@ -16,7 +16,7 @@ from hh_exudyn.contact.halfspace.influence import Grid, Influence
 from hh_exudyn.contact.halfspace.normal import TOLERANCE, normal_contact
 from hh_exudyn.contact.material import STEEL, Material
 
-SPACING = (0.25e-3, 0.5e-3)  # m, of the elements along x and across
+SPACING = (0.25e-3, 0.35e-3)  # m, of the elements along x and across
 _COARSE = 2  # by which the first grid's elements are larger
 _COARSE_TOLERANCE = 1e-3
 _MARGIN = 2  # elements left free around the contact
@@ -91,8 +91,8 @@ class _Window:
 
     def x(self, spacing: float) -> FloatArray:
         """Places along x [m]."""
-        places: FloatArray = self.middle + (np.arange(self.along) - 0.5 * (self.along - 1)) * spacing
-        return places
+        places = (np.arange(self.along) - 0.5 * (self.along - 1)) * spacing
+        return np.asarray(self.middle + places, dtype=np.float64)
 
 
 def _overlapping(overlap: ConformalOverlap, lowering: float, spacing: float) -> _Window | None:
