@@ -109,7 +109,8 @@ def ellipse_field(patch: RollingPatch, fields: Fields) -> None:
     """Fill pressure, traction and slip on the strips of `tangential.api`.
 
     Strips are the rows of the grid; along each the traction over its bound is interpolated. Pressure is
-    Hertz's. Slip opposes traction, and is none in a cell whose nearest element sticks.
+    Hertz's. Slip opposes traction, and is none in a cell whose nearest element sticks; all of it is scaled
+    (by some per cent) so that friction dissipates the power of the creepages, as in every theory.
 
     Parameters
     ----------
@@ -145,3 +146,18 @@ def ellipse_field(patch: RollingPatch, fields: Fields) -> None:
         traction = direction * np.minimum(length, 1.0) * patch.friction * fields.pressure[j]
         fields.q_x[j], fields.q_y[j] = traction[0], sign * traction[1]
         fields.slip_x[j], fields.slip_y[j] = -speed * direction[0], -sign * speed * direction[1]
+    _balance(patch, fields)
+
+
+def _balance(patch: RollingPatch, fields: Fields) -> None:
+    """Scale the slip so that friction dissipates the power of the creepages, where anything slips."""
+    ny, nx = fields.pressure.shape
+    lateral = -1.0 + (2.0 * np.arange(ny)[:, None] + 1.0) / ny
+    cosine = np.sqrt(1.0 - lateral**2)
+    x = patch.a * cosine * (-1.0 + (2.0 * np.arange(nx) + 1.0) / nx)
+    work = np.sum(cosine * (fields.q_x * fields.slip_x + fields.q_y * fields.slip_y))
+    rigid_x, rigid_y = patch.nu_x - patch.phi * patch.b * lateral, patch.nu_y + patch.phi * x
+    power = np.sum(cosine * (fields.q_x * rigid_x + fields.q_y * rigid_y))
+    if work < 0.0 and power < 0.0:
+        fields.slip_x[:] *= power / work
+        fields.slip_y[:] *= power / work

@@ -15,7 +15,8 @@ and u_y with x and y exchanged.
 
 In steady rolling the material passes an element in dx/V, and the slip over V of element i, averaged between
 its centre and that of its neighbour ahead, is w_i + (u_i - u_(i+1))/dx with the rigid slip w (Kalker 1990,
-section 4.1, with the step of one element; E.A.H. Vollebregt, CONTACT). These differences have transforms too.
+section 4.1, with the step of one element; E.A.H. Vollebregt, CONTACT). These differences have transforms too,
+as have those between the edges of an element.
 
 The sums over elements are convolutions. Their transforms are prepared once for a shape of the grid, a ratio
 of the sides of its elements and a Poisson's ratio, and shared between all solves; lengths only scale them.
@@ -58,8 +59,8 @@ class Grid:
         for name in ("dx", "dy"):
             if not 0.0 < getattr(self, name) < np.inf:
                 raise ValueError(f"{name} = {getattr(self, name)} m; it must be finite and > 0 m")
-        if not 0.01 <= self.dx / self.dy <= 100.0:
-            raise ValueError(f"dx/dy = {self.dx / self.dy} [-]; it must lie in 0.01..100")
+        if not 1e-3 <= self.dx / self.dy <= 1e3:
+            raise ValueError(f"dx/dy = {self.dx / self.dy} [-]; it must lie in 0.001..1000")
 
     @property
     def x(self) -> FloatArray:
@@ -102,7 +103,7 @@ def rectangle_integrals(x: Any, y: Any, half_x: float, half_y: float) -> FloatAr
     Parameters
     ----------
     x, y : array_like
-        Places in the plane of the rectangle [m]; not on the lines through its sides.
+        Places in the plane of the rectangle [m]; not on the lines through its sides along x.
     half_x, half_y : float
         Half its sides [m].
 
@@ -115,7 +116,8 @@ def rectangle_integrals(x: Any, y: Any, half_x: float, half_y: float) -> FloatAr
     for sign, shift_x, shift_y in ((1, 1, 1), (-1, -1, 1), (-1, 1, -1), (1, -1, -1)):
         across, along = np.asarray(y) + shift_y * half_y, np.asarray(x) + shift_x * half_x
         second = across * np.arcsinh(along / np.abs(across))  # its mixed derivative is x^2/r^3
-        third = along * np.arcsinh(across / np.abs(along))
+        with np.errstate(divide="ignore", invalid="ignore"):  # on a line through a side across it is zero
+            third = np.where(along == 0.0, 0.0, along * np.arcsinh(across / np.abs(along)))
         result[0] += sign * (second + third)
         result[1] += sign * second
         result[2] += sign * third
@@ -123,37 +125,48 @@ def rectangle_integrals(x: Any, y: Any, half_x: float, half_y: float) -> FloatAr
     return result
 
 
+def _influences(lags_x: FloatArray, ny: int, ratio: float, poisson_ratio: float) -> FloatArray:
+    """Displacements at lags along x and all lags across, per 1/(pi G): (4, 2 ny - 1, lags).
+
+    Of z by p, of x by q_x, of y by q_y, and of both crossed.
+    """
+    lags_y = ratio * np.arange(-(ny - 1.0), ny)[:, None]
+    inverse, of_x, of_y, crossed = rectangle_integrals(lags_x, lags_y, 0.5, 0.5 * ratio)
+    normal = (1.0 - poisson_ratio) * inverse
+    return np.stack(
+        [normal, normal + poisson_ratio * of_x, normal + poisson_ratio * of_y, poisson_ratio * crossed]
+    )
+
+
+def _transform(values: FloatArray, nx: int, ny: int) -> Any:
+    """Transforms of influences (..., 2 ny - 1, 2 nx) at lags from -(ny - 1) and -nx on."""
+    padded = _padded(nx, ny)
+    placed = np.zeros((*values.shape[:-2], *padded))
+    rows, columns = np.arange(-(ny - 1), ny) % padded[0], np.arange(-nx, nx) % padded[1]
+    placed[..., rows[:, None], columns] = values
+    return fft.rfft2(placed)
+
+
+def _padded(nx: int, ny: int) -> tuple[int, int]:
+    """Rows and columns of the transforms."""
+    return fft.next_fast_len(2 * ny, real=True), fft.next_fast_len(2 * nx, real=True)
+
+
 @lru_cache(maxsize=_PREPARED)
 def _transforms(nx: int, ny: int, ratio: float, poisson_ratio: float) -> Transforms:
     """The transforms of a grid of elements 1 by `ratio`."""
-    padded = (fft.next_fast_len(2 * ny, real=True), fft.next_fast_len(2 * nx, real=True))
-    along, across = np.arange(nx + 1.0), ratio * np.arange(ny)[:, None]
-    inverse, of_x, of_y, crossed = rectangle_integrals(along, across, 0.5, 0.5 * ratio)
-    even = [
-        (1.0 - poisson_ratio) * inverse,
-        (1.0 - poisson_ratio) * inverse + poisson_ratio * of_x,
-        (1.0 - poisson_ratio) * inverse + poisson_ratio * of_y,
-    ]
-    lags_x = np.arange(-nx, nx + 1)
-    lags_y = np.arange(-(ny - 1), ny)
-    rows, columns = np.abs(lags_y)[:, None], np.abs(lags_x)[None, :]
-    signs = np.sign(lags_y)[:, None] * np.sign(lags_x)[None, :]
-    full = [values[rows, columns] for values in even]
-    full.append(poisson_ratio * signs * crossed[rows, columns])
+    values = _influences(np.arange(-nx, nx + 1.0), ny, ratio, poisson_ratio)
+    slips = values[1:, :, :-1] - values[1:, :, 1:]
+    transforms = _transform(np.concatenate([values[:1, :, :-1], slips]), nx, ny)
+    own = (float(slips[0, ny - 1, nx]), float(slips[1, ny - 1, nx]))
+    return Transforms(_padded(nx, ny), transforms[0], transforms[1:], own)
 
-    def transform(values: FloatArray) -> Any:
-        placed = np.zeros(padded)
-        placed[np.ix_(lags_y % padded[0], lags_x[:-1] % padded[1])] = values
-        return fft.rfft2(placed)
 
-    slips = [values[:, :-1] - values[:, 1:] for values in full[1:]]
-    own = (slips[0][ny - 1, nx], slips[1][ny - 1, nx])
-    return Transforms(
-        padded,
-        transform(full[0][:, :-1]),
-        np.stack([transform(values) for values in slips]),
-        (float(own[0]), float(own[1])),
-    )
+@lru_cache(maxsize=_PREPARED)
+def _centred_slip(nx: int, ny: int, ratio: float, poisson_ratio: float) -> Any:
+    """As `Transforms.slip`, between the edges of an element."""
+    values = _influences(np.arange(-nx, nx + 1.0) - 0.5, ny, ratio, poisson_ratio)[1:]
+    return _transform(values[:, :, :-1] - values[:, :, 1:], nx, ny)
 
 
 class Influence:
@@ -193,8 +206,24 @@ class Influence:
         return self._backward(product)
 
     def slip(self, traction: FloatArray) -> FloatArray:
-        """Elastic part of the slip over V [-], (2, ny, nx), by a traction (2, ny, nx) on the wheel [Pa]."""
-        of_x, of_y, crossed = self.transforms.slip
+        """Elastic part of the slip over V [-], (2, ny, nx), by a traction (2, ny, nx) on the wheel [Pa].
+
+        Between the centre of each element and that of the next one ahead.
+        """
+        return self._slip(traction, self.transforms.slip)
+
+    def slip_at_centres(self, traction: FloatArray) -> FloatArray:
+        """As `slip`, between the edges of each element: of second order, and with q.s summing to nothing.
+
+        No problem can be solved with it: a traction that is the same everywhere makes none.
+        """
+        grid = self.grid
+        centred = _centred_slip(grid.nx, grid.ny, grid.dy / grid.dx, self.material.poisson_ratio)
+        return self._slip(traction, centred)
+
+    def _slip(self, traction: FloatArray, transforms: Any) -> FloatArray:
+        """Slip by a traction through the transforms of both and of the crossed influence."""
+        of_x, of_y, crossed = transforms
         given = self._forward(traction)
         product = np.empty_like(given)
         np.multiply(of_x, given[0], out=product[0])

@@ -31,6 +31,7 @@ _MOST_STEPS = 200
 _MOST_DIRECTIONS = 30  # of one linear step
 _LINEAR_TOLERANCE = 0.2  # of a linear step: more exact ones save no steps, but cost
 _FIRST_SHIFT, _LARGEST_SHIFT = 6.0, 10.0  # tau over the mean residual at the start; its bound
+_TINY = 1e-300  # against 0/0
 _SPIN_SHIFT = 1.0 / 6.0  # of an element, at which the rigid slip of spin is taken, after CONTACT
 
 
@@ -43,7 +44,8 @@ class RollingSolution:
     traction : ndarray, (2, ny, nx)
         On the wheel, along x and across [Pa].
     slip : ndarray, (2, ny, nx)
-        Slip velocity of the wheel relative to the rail over V [-], zero in stick and outside.
+        Slip velocity of the wheel relative to the rail over V [-] at the elements' centres, against the
+        traction; zero in stick and outside.
     stick : ndarray of bool, (ny, nx)
         Elements in contact that do not slip.
     force : tuple of float
@@ -51,7 +53,8 @@ class RollingSolution:
     moment : float
         About the normal through the grid's middle [N m].
     dissipation : float
-        Energy that friction takes per metre of rolling [N], >= 0.
+        Energy that friction takes per metre of rolling [N], >= 0: at 40 elements along the patch within 4 %
+        of the power of the creepages.
     residual : float
         Largest |q - P(q - s/own)| over the largest bound [-]: how far Coulomb's law, stick or the direction
         of slip are from being met anywhere.
@@ -223,7 +226,7 @@ class _Preconditioner:
         return result
 
 
-def _check(influence: Influence, bound: FloatArray, slip: FloatArray) -> None:
+def _check(influence: Influence, bound: FloatArray, slip: FloatArray, start: FloatArray | None) -> None:
     """ValueError for anything out of range."""
     shape = influence.grid.shape
     if bound.shape != shape or slip.shape != (2, *shape):
@@ -235,6 +238,8 @@ def _check(influence: Influence, bound: FloatArray, slip: FloatArray) -> None:
         raise ValueError("bound, the friction times the pressure, must be finite and >= 0 Pa in all elements")
     if not np.all(np.isfinite(slip)):
         raise ValueError("rigid slip must be finite [-] in all elements")
+    if start is not None and (start.shape != (2, *shape) or not np.all(np.isfinite(start))):
+        raise ValueError(f"start {start.shape}: finite tractions [Pa] of shape {(2, *shape)} are needed")
 
 
 def rolling_contact(
@@ -274,7 +279,7 @@ def rolling_contact(
     """
     bound = np.ascontiguousarray(bound, dtype=np.float64)
     rigid = np.ascontiguousarray(slip, dtype=np.float64)
-    _check(influence, bound, rigid)
+    _check(influence, bound, rigid, start)
     traction = np.zeros(rigid.shape) if start is None else np.array(start, dtype=np.float64)
     nothing = np.zeros((2, bound.size))
     limits = bound.ravel()
@@ -332,10 +337,11 @@ def _solution(
     """What follows from the traction."""
     grid, shape = influence.grid, influence.grid.shape
     g = bound.reshape(shape)
-    slip = np.where(g > 0.0, rigid + influence.slip(traction), 0.0)
-    reach = traction - slip / max(influence.own_slip)
+    reach = traction - (rigid + influence.slip(traction)) / max(influence.own_slip)
     stick = (g > 0.0) & (np.hypot(reach[0], reach[1]) <= g)
-    slip[:, stick] = 0.0
+    direction = traction / np.maximum(np.hypot(traction[0], traction[1]), _TINY)
+    against = np.sum(direction * (rigid + influence.slip_at_centres(traction)), axis=0)
+    slip = direction * np.where(stick | (g == 0.0), 0.0, np.minimum(against, 0.0))
     force_x, force_y = (float(part.sum()) * grid.area for part in traction)
     moment = float(np.sum(grid.x * traction[1]) - np.sum(grid.y[:, None] * traction[0])) * grid.area
     dissipation = -float(np.sum(traction * slip)) * grid.area

@@ -1,8 +1,8 @@
 """The half-space solutions against numbers from outside, as a table.
 
 Outside are closed forms (Hertz; Johnson's stresses below the surface) and what CONTACT computed: the files of
-``hh_exudyn/data/validation``, whose headers and README say how. A row compares one number, or the worst or mean
-deviation of many.
+``hh_exudyn/data/validation``, whose headers and README say how. A row compares one number, or the worst or
+mean deviation of many.
 """
 
 import csv
