@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
+from rich.markup import escape
 from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
@@ -135,6 +136,32 @@ def validate_contact() -> None:
         output.print_line(
             "force: in % of friction * normal force; |q| traction, |s| slip, peak of |q|: in % of the exact"
         )
+
+
+@validate.command("halfspace")
+def validate_halfspace() -> None:
+    """The exact half-space solver against Hertz, Johnson and CONTACT: pressure, rolling, wheel on rail."""
+    with output.errors_in_one_line():
+        from hh_exudyn.contact.halfspace.validation import halfspace_table
+
+        with output.status("comparing"):
+            rows = halfspace_table()
+        table = output.new_table(
+            "The half-space solver against numbers from outside",
+            ("quantity", "source", "ours", "outside", "deviation [%]", "allowed [%]", "verdict"),
+        )
+        for row in rows:
+            table.add_row(
+                escape(row.quantity),
+                row.source,
+                f"{row.found:.4g}",
+                f"{row.wanted:.4g}",
+                output.number(100.0 * row.deviation, 2),
+                output.number(100.0 * row.allowed, 1),
+                "holds" if row.holds else "FAILS",
+            )
+        output.print_table(table)
+        output.print_line("an error or a worst deviation of many: ours is the deviation itself, outside 0")
 
 
 def conicity(

@@ -198,7 +198,9 @@ def _rolling() -> list[Comparison]:
 def _conformal() -> list[Comparison]:
     """Worst deviations over the poses from tread to flange."""
     wheel, rail = wheel_profile("S1002"), rail_profile("60E1", 1.0 / 30.0)
-    force, root, flange = [], [], []
+    force: list[float] = []
+    root: list[float] = []
+    flange: list[float] = []
     for row in _rows("conformal.csv"):
         v = {name: float(value) for name, value in row.items() if name != "given"}
         pair = wheel_above_rail(

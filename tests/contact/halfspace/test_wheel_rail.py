@@ -21,7 +21,9 @@ MANCHESTER = [
     row
     for row in csv.DictReader(
         line
-        for line in (Path(__file__).parents[2] / "reference" / "wheel_rail_mbench_a22.csv").open()
+        for line in (Path(__file__).parents[2] / "reference" / "wheel_rail_mbench_a22.csv")
+        .read_text()
+        .splitlines()
         if not line.startswith("#")
     )
     if row["side"] == "left" and row["n_patch"] == "1"
@@ -30,7 +32,7 @@ R0, FRICTION, SPEED = 0.46, 0.3, 2.0
 
 
 def s1002(lateral: float, height: float, side: int = RIGHT) -> WheelRailPair:
-    """S1002 on 60E1 1:30, gauge 1445 mm, wheelset displaced towards the rail [mm], as the flange_root rows."""
+    """S1002 on 60E1 1:30, gauge 1445 mm, the wheelset displaced towards the rail [mm], as conformal.csv."""
     return wheel_above_rail(
         wheel_profile("S1002"), rail_profile("60E1", 1.0 / 30.0), side,
         lateral=side * lateral * 1e-3, height=height, radius=0.4575, yaw=side * 0.8e-3, gauge=1.445,
@@ -40,8 +42,8 @@ def s1002(lateral: float, height: float, side: int = RIGHT) -> WheelRailPair:
 def manchester(row: dict[str, str], rail: Profile) -> WheelRailPair:
     """The benchmark has y right and z down: y and yaw change sign, roll does not."""
     return wheel_above_rail(
-        wheel_profile("S1002"), rail, LEFT, lateral=-float(row["y_ws"]) * 1e-3,
-        height=R0 - float(row["z_ws"]) * 1e-3, radius=R0, yaw=-float(row["yaw_ws"]), roll=float(row["roll_ws"]),
+        wheel_profile("S1002"), rail, LEFT, lateral=-float(row["y_ws"]) * 1e-3, radius=R0,
+        height=R0 - float(row["z_ws"]) * 1e-3, yaw=-float(row["yaw_ws"]), roll=float(row["roll_ws"]),
     )  # fmt: skip
 
 
@@ -108,9 +110,9 @@ def test_both_sides_are_mirror_images() -> None:
     left, right = (conformal_contact(s1002(11.0, 0.45761, side), load=150e3) for side in (LEFT, RIGHT))
     assert left is not None
     assert right is not None
-    assert left.outwards == pytest.approx(right.outwards, rel=1e-9)
-    assert left.pressure[::-1] == pytest.approx(right.pressure, rel=1e-6, abs=1.0)
-    assert left.lowering == pytest.approx(right.lowering, abs=1e-12)
+    assert left.outwards == pytest.approx(right.outwards, rel=1e-7)
+    assert left.pressure[::-1] == pytest.approx(right.pressure, abs=1e-4 * right.max_pressure)
+    assert left.lowering == pytest.approx(right.lowering, abs=1e-10)
 
 
 def test_force_is_continuous_where_the_contact_moves_onto_the_flange() -> None:
@@ -160,8 +162,8 @@ def test_overlap_of_a_cylinder_is_its_own() -> None:
     tread = np.abs(overlap.y_wheel) < 1e-3
     assert overlap.curvature[tread] == pytest.approx(0.5 / 0.4575, rel=2e-3)
     higher = conformal_overlap(pair._replace(centre_z=pair.centre_z + 1e-4), 0.5e-3)
-    near = np.isfinite(overlap.overlap)
-    change = (overlap.overlap - higher.overlap)[near] / np.cos(overlap.angle[near])
+    near = np.isfinite(overlap.overlap) & np.isfinite(higher.overlap)
+    change = (overlap.overlap[near] - higher.overlap[near]) / np.cos(overlap.angle[near])
     assert change == pytest.approx(np.full(change.shape, 1e-4), abs=1e-12)
     assert higher.touching == pytest.approx(overlap.touching + 1e-4, abs=1e-12)
 
