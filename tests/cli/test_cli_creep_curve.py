@@ -38,8 +38,8 @@ def test_the_linear_theory_reaches_the_limit_at_the_unit() -> None:
     result = call(*PATCH, "--reach", "1", "--over", "lateral", "--theory", "linear")
     assert result.exit_code == 0, result.stderr
     (line,) = (line for line in result.stdout.splitlines() if line.split()[:1] == ["linear"])
-    # F_linear = mu N there, and the half-space has 0.7 to 0.8 of it
-    assert 20.0 < float(line.split()[1]) < 30.0
+    # F_linear = mu N there, and the half-space has some 0.7 of it (Fig. 2-5)
+    assert 25.0 < float(line.split()[1]) < 35.0
     assert "lateral: 4 creepages to" in result.stdout
 
 
