@@ -81,5 +81,6 @@ def _title(patch: CurvePatch) -> str:
     return (
         f"$a$ = {patch.a * 1e3:.4g} mm, $b$ = {patch.b * 1e3:.4g} mm, "
         f"$N$ = {patch.normal_force * 1e-3:.4g} kN, $\\mu$ = {patch.friction:.3g}; kept: "
-        f"$\\nu_x$ = {patch.nu_x * 1e3:.4g} ‰, $\\nu_y$ = {patch.nu_y * 1e3:.4g} ‰, $\\varphi$ = {patch.phi:.4g} 1/m"
+        f"$\\nu_x$ = {patch.nu_x * 1e3:.4g} ‰, $\\nu_y$ = {patch.nu_y * 1e3:.4g} ‰, "
+        f"$\\varphi$ = {patch.phi:.4g} 1/m"
     )

@@ -111,10 +111,10 @@ def test_both_sides_are_mirror_images() -> None:
     assert left is not None
     assert right is not None
     assert left.outwards == pytest.approx(right.outwards, rel=1e-7)
-    assert left.max_pressure == pytest.approx(right.max_pressure, rel=1e-6)
+    assert left.max_pressure == pytest.approx(right.max_pressure, rel=1e-4)
     one, other = (found.pressure.sum(axis=1) for found in (left, right))  # their grids may differ by a strip
     mirrored = np.interp(right.y_wheel, left.y_wheel[::-1], one[::-1])
-    assert mirrored == pytest.approx(other, abs=1e-4 * other.max())
+    assert mirrored == pytest.approx(other, abs=2e-4 * other.max())
     assert left.lowering == pytest.approx(right.lowering, abs=1e-10)
 
 
