@@ -32,7 +32,7 @@ from scipy import fft
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import Material
 
-_PREPARED = 64  # transforms that are kept; each takes a few hundred kilobytes
+_PREPARED = 128  # transforms that are kept; each takes a few hundred kilobytes
 
 
 @dataclass(frozen=True)

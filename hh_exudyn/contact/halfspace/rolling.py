@@ -72,7 +72,7 @@ class RollingSolution:
     iterations: int
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=128)
 def _circulant(nx: int, ny: int, ratio: float, poisson_ratio: float) -> tuple[Any, Any]:
     """Eigenvalues (2, rows, columns) per 1/(pi G) of the preconditioner, and the half turn along x."""
     rows, columns = fft.next_fast_len(ny), fft.next_fast_len(nx)

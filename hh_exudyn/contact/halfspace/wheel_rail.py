@@ -20,6 +20,7 @@ SPACING = (0.25e-3, 0.35e-3)  # m, of the elements along x and across
 _COARSE = 2  # by which the first grid's elements are larger
 _COARSE_TOLERANCE = 1e-3
 _MARGIN = 2  # elements left free around the contact
+_STEP = 8  # elements, of a grid's size
 _FIRST_LOWERING, _FIRST_LOAD = 0.15e-3, 150e3  # m under N: about what a wheel comes down
 _MOST_TRIES = 12
 
@@ -81,6 +82,28 @@ class ConformalContact:
 
 
 @dataclass(frozen=True)
+class _Found:
+    """A solution to start from: pressure at places on the wheel and along x."""
+
+    y_wheel: FloatArray
+    x: FloatArray
+    pressure: FloatArray
+    spacing: float
+
+
+@dataclass(frozen=True)
+class _Task:
+    """What is asked for: arguments of `conformal_contact` and the overlap."""
+
+    overlap: ConformalOverlap
+    spacing: tuple[float, float]
+    material: Material
+    load: float | None
+    limit: float
+    tolerance: float
+
+
+@dataclass(frozen=True)
 class _Window:
     """Part of the overlap that a grid covers: strips and places along x."""
 
@@ -95,6 +118,16 @@ class _Window:
         return np.asarray(self.middle + places, dtype=np.float64)
 
 
+def _window(first: int, count: int, middle: float, along: int, strips: int) -> _Window:
+    """A window of `strips` with at least these numbers of elements, in steps.
+
+    So that few shapes occur and the transforms of one solution serve the next.
+    """
+    wanted = min(-(-count // _STEP) * _STEP, strips)
+    begin = min(max(first - (wanted - count) // 2, 0), strips - wanted)
+    return _Window(begin, wanted, middle, -(-along // _STEP) * _STEP)
+
+
 def _overlapping(overlap: ConformalOverlap, lowering: float, spacing: float) -> _Window | None:
     """The window of all strips that overlap after lowering; contact lies inside of it."""
     depth = overlap.overlap + lowering * np.cos(overlap.angle)
@@ -105,24 +138,20 @@ def _overlapping(overlap: ConformalOverlap, lowering: float, spacing: float) -> 
     reach = np.sqrt(depth[strips] / overlap.curvature[strips])
     low, high = (overlap.crest[strips] - reach).min(), (overlap.crest[strips] + reach).max()
     along = max(int(np.ceil((high - low) / spacing)), 1)
-    return _Window(first, last - first + 1, 0.5 * float(low + high), along)
+    return _window(first, last - first + 1, 0.5 * float(low + high), along, overlap.overlap.size)
 
 
-def _around(
-    pressure: FloatArray, coarse: _Window, coarse_spacing: tuple[float, float], overlap: ConformalOverlap,
-    spacing: float,
-) -> _Window:  # fmt: skip
-    """The fine window around the contact of a coarse solution."""
-    rows = np.flatnonzero(pressure.any(axis=1))
-    columns = np.flatnonzero(pressure.any(axis=0))
-    ratio = coarse_spacing[1] / overlap.spacing
-    first = int((coarse.first + rows[0] - 1) * ratio)
-    last = int(np.ceil((coarse.first + rows[-1] + 2) * ratio))
-    first, last = max(first, 0), min(last, overlap.overlap.size)
-    x = coarse.x(coarse_spacing[0])
-    low, high = x[columns[0]] - coarse_spacing[0], x[columns[-1]] + coarse_spacing[0]
+def _around(found: _Found, overlap: ConformalOverlap, spacing: float) -> _Window:
+    """The window around the contact of a solution on another grid."""
+    rows, columns = np.flatnonzero(found.pressure.any(axis=1)), np.flatnonzero(found.pressure.any(axis=0))
+    spare = abs(found.y_wheel[1] - found.y_wheel[0]) if found.y_wheel.size > 1 else overlap.spacing
+    y = found.y_wheel[rows]
+    inside = np.flatnonzero(
+        (overlap.y_wheel >= y.min() - _MARGIN * spare) & (overlap.y_wheel <= y.max() + _MARGIN * spare)
+    )
+    low, high = found.x[columns[0]] - found.spacing, found.x[columns[-1]] + found.spacing
     along = int(np.ceil((high - low) / spacing)) + _MARGIN
-    return _Window(first, last - first, 0.5 * float(low + high), along)
+    return _window(int(inside[0]), inside.size, 0.5 * float(low + high), along, overlap.overlap.size)
 
 
 def _touches_border(pressure: FloatArray) -> bool:
@@ -130,18 +159,37 @@ def _touches_border(pressure: FloatArray) -> bool:
     return bool(pressure[0].any() or pressure[-1].any() or pressure[:, 0].any() or pressure[:, -1].any())
 
 
-def _nearest(values: FloatArray, rows: FloatArray, columns: FloatArray) -> FloatArray:
-    """Values of a coarse grid at the nearest of its elements, zero outside of it."""
-    row, column = np.rint(rows).astype(int), np.rint(columns).astype(int)
-    inside = ((row >= 0) & (row < values.shape[0]))[:, None] & ((column >= 0) & (column < values.shape[1]))
-    taken = values[np.clip(row, 0, values.shape[0] - 1)[:, None], np.clip(column, 0, values.shape[1] - 1)]
-    return np.where(inside, taken, 0.0)
+def _carried(
+    values: FloatArray, old: tuple[FloatArray, FloatArray], new: tuple[FloatArray, FloatArray]
+) -> FloatArray:
+    """Values (..., rows, columns) at places (y on the wheel, x): of the nearest other place, or zero."""
+    taken = []
+    for before, after in zip(old, new, strict=True):
+        order = 1 if before.size < 2 or before[-1] > before[0] else -1
+        place = np.interp(after, before[::order], np.arange(before.size)[::order], left=-1.0, right=-1.0)
+        taken.append(np.rint(place).astype(int))
+    rows, columns = taken
+    found: FloatArray = values[..., rows[:, None], columns]
+    return np.where((rows >= 0)[:, None] & (columns >= 0), found, 0.0)
+
+
+def carry_over(values: FloatArray, old: ConformalContact, new: ConformalContact) -> FloatArray:
+    """Values on the grid of one contact, brought to that of another of the same wheel, to start from.
+
+    Parameters
+    ----------
+    values : ndarray, (..., ny, nx)
+        Pressure or traction of `old`.
+    old, new : ConformalContact
+        The contacts.
+    """
+    return _carried(values, (old.y_wheel, old.x), (new.y_wheel, new.x))
 
 
 def _coarse(
     overlap: ConformalOverlap, spacing: float, material: Material, load: float | None, limit: float
-) -> tuple[FloatArray, _Window, float] | None:
-    """Pressure, window and lowering on a coarse grid; None without contact at the given height."""
+) -> _Found | None:
+    """The solution on a coarse grid; None without contact at the given height."""
     guess = 0.0 if load is None else overlap.touching + _FIRST_LOWERING * (load / _FIRST_LOAD) ** (2.0 / 3.0)
     for _ in range(_MOST_TRIES):
         window = _overlapping(overlap, guess, spacing)
@@ -155,13 +203,13 @@ def _coarse(
             solved = normal_contact(
                 influence, field, approach=0.0, weight=weight, limit=limit, tolerance=_COARSE_TOLERANCE
             )
-            return solved.pressure, window, 0.0
+            return _Found(overlap.y_wheel[strips], window.x(spacing), solved.pressure, spacing)
         if load < limit * influence.grid.area * float(weight.sum()):
             solved = normal_contact(
                 influence, field, load=load, weight=weight, limit=limit, tolerance=_COARSE_TOLERANCE
             )
             if solved.approach <= guess:
-                return solved.pressure, window, solved.approach
+                return _Found(overlap.y_wheel[strips], window.x(spacing), solved.pressure, spacing)
         guess = overlap.touching + 1.5 * (guess - overlap.touching)
     raise ArithmeticError(f"load = {load} N: no height carries it; the wheel lies beside its rail")
 
@@ -208,36 +256,40 @@ def conformal_contact(
     if load is not None and not 0.0 < load < np.inf:
         raise ValueError(f"load = {load} N; it must be finite and > 0 N")
     overlap = conformal_overlap(pair, spacing[1])
-    coarse_spacing = (_COARSE * spacing[0], _COARSE * spacing[1])
-    rough = conformal_overlap(pair, coarse_spacing[1])
-    found = _coarse(rough, coarse_spacing[0], material, load, limit)
-    if found is None or not found[0].any():
+    rough = conformal_overlap(pair, _COARSE * spacing[1])
+    coarse = _coarse(rough, _COARSE * spacing[0], material, load, limit)
+    if coarse is None or not coarse.pressure.any():
         return None
-    pressure, coarse, _ = found
-    window = _around(pressure, coarse, coarse_spacing, overlap, spacing[0])
+    return _fine(_Task(overlap, spacing, material, load, limit, tolerance), coarse)
+
+
+def _fine(task: _Task, start: _Found) -> ConformalContact:
+    """The solution from one on another grid, in a window that grows until nothing touches its border."""
+    overlap, spacing = task.overlap, task.spacing
+    window = _around(start, overlap, spacing[0])
     for _ in range(_MOST_TRIES):
         strips = slice(window.first, window.first + window.count)
         x = window.x(spacing[0])
-        influence = Influence(Grid(window.along, window.count, *spacing), material)
+        influence = Influence(Grid(window.along, window.count, *spacing), task.material)
         weight = np.repeat(np.cos(overlap.angle[strips])[:, None], window.along, axis=1)
-        rows = (np.arange(window.first, window.first + window.count) + 0.5) / _COARSE - 0.5 - coarse.first
-        columns = (x - coarse.x(coarse_spacing[0])[0]) / coarse_spacing[0]
         solved = normal_contact(
             influence, overlap.field(window.first, window.count, x),
-            approach=0.0 if load is None else None, load=load, weight=weight, limit=limit,
-            start=_nearest(pressure, rows, columns), tolerance=tolerance,
+            approach=0.0 if task.load is None else None, load=task.load, weight=weight, limit=task.limit,
+            start=_carried(start.pressure, (start.y_wheel, start.x), (overlap.y_wheel[strips], x)),
+            tolerance=task.tolerance,
         )  # fmt: skip
         if not _touches_border(solved.pressure):
             break
-        first = max(window.first - 4, 0)
-        last = min(window.first + window.count + 4, overlap.overlap.size)
-        window = _Window(first, last - first, window.middle, window.along + 8)
+        window = _window(
+            window.first - _STEP, window.count + 2 * _STEP, window.middle, window.along + _STEP,
+            overlap.overlap.size,
+        )  # fmt: skip
     force = solved.pressure.sum(axis=1) * influence.grid.area
     angle = overlap.angle[strips]
     return ConformalContact(
         influence=influence, x=x, y_wheel=overlap.y_wheel[strips], y_rail=overlap.y_rail[strips],
         angle=angle, point_y=overlap.point_y[strips], point_z=overlap.point_z[strips],
-        pressure=solved.pressure, side=pair.side, lowering=solved.approach,
+        pressure=solved.pressure, side=overlap.side, lowering=solved.approach,
         vertical=float(force @ np.cos(angle)), outwards=-float(force @ np.sin(angle)),
         residual=solved.residual,
     )  # fmt: skip
