@@ -32,18 +32,31 @@ def hertz_pressure(influence: Influence, a: float, b: float, normal_force: float
     return scaled
 
 
-def _solve(patch: RollingPatch, cells: tuple[int, int], start: RollingSolution | None) -> RollingSolution:
-    """The patch (in its own units) on one grid, from the solution on half of it."""
+def _influence(patch: RollingPatch, cells: tuple[int, int]) -> Influence:
+    """The grid of a patch."""
     grid = Grid(cells[0], cells[1], 2.0 * patch.a / cells[0], 2.0 * patch.b / cells[1])
-    influence = Influence(grid, Material(patch.shear_modulus, patch.poisson_ratio))
+    return Influence(grid, Material(patch.shear_modulus, patch.poisson_ratio))
+
+
+def _solve(patch: RollingPatch, cells: tuple[int, int], start: FloatArray | None) -> RollingSolution:
+    """The patch (in its own units) on one grid, from tractions over their bound on another."""
+    influence = _influence(patch, cells)
     bound = patch.friction * hertz_pressure(influence, patch.a, patch.b, patch.normal_force)
     traction = None
     if start is not None:
-        rows = np.arange(cells[1]) * start.stick.shape[0] // cells[1]
-        columns = np.arange(cells[0]) * start.stick.shape[1] // cells[0]
-        traction = start.traction[:, rows[:, None], columns]
+        rows = np.arange(cells[1]) * start.shape[1] // cells[1]
+        columns = np.arange(cells[0]) * start.shape[2] // cells[0]
+        traction = bound * start[:, rows[:, None], columns]
     slip = rigid_slip(influence, patch.nu_x, patch.nu_y, patch.phi)
     return rolling_contact(influence, bound, slip, start=traction, tolerance=_TOLERANCE)
+
+
+def _share(patch: RollingPatch, solution: RollingSolution) -> FloatArray:
+    """Tractions over their bound, zero outside of the ellipse."""
+    ny, nx = solution.stick.shape
+    bound = patch.friction * hertz_pressure(_influence(patch, (nx, ny)), patch.a, patch.b, patch.normal_force)
+    share: FloatArray = np.where(bound > 0.0, solution.traction / np.where(bound > 0.0, bound, 1.0), 0.0)
+    return share
 
 
 def _own_units(patch: RollingPatch) -> tuple[RollingPatch, float, float, bool]:
@@ -68,8 +81,10 @@ def solve_ellipse(
 ) -> tuple[RollingSolution, RollingSolution | None]:
     """Solutions on the given grid and on half of it (None for grids too small), in units of the patch."""
     halves = (max((cells[0] + 1) // 2, 1), max((cells[1] + 1) // 2, 1))
-    coarse = None if min(cells) < _LEAST_EXTRAPOLATED else _solve(patch, halves, None)
-    return _solve(patch, cells, coarse), coarse
+    if min(cells) < _LEAST_EXTRAPOLATED:
+        return _solve(patch, cells, None), None
+    coarse = _solve(patch, halves, None)
+    return _solve(patch, cells, _share(patch, coarse)), coarse
 
 
 def ellipse_force(patch: RollingPatch, cells: tuple[int, int]) -> Triple:
@@ -98,14 +113,7 @@ def ellipse_force(patch: RollingPatch, cells: tuple[int, int]) -> Triple:
     return float(result[0]) * force, float(result[1]) * force, float(result[2]) * force * size
 
 
-def _along_strip(x: FloatArray, centres: FloatArray, values: FloatArray) -> FloatArray:
-    """Values (..., n) at the centres, at places x: linear between, the nearest beyond."""
-    flat = values.reshape(-1, values.shape[-1])
-    found: FloatArray = np.stack([np.interp(x, centres, row) for row in flat])
-    return found.reshape(*values.shape[:-1], x.size)
-
-
-def ellipse_field(patch: RollingPatch, fields: Fields) -> None:
+def ellipse_field(patch: RollingPatch, fields: Fields, start: FloatArray | None = None) -> FloatArray:
     """Fill pressure, traction and slip on the strips of `tangential.api`.
 
     Strips are the rows of the grid; along each the traction over its bound is interpolated. Pressure is
@@ -118,35 +126,49 @@ def ellipse_field(patch: RollingPatch, fields: Fields) -> None:
         With normal force, area, friction and creepage.
     fields : Fields
         Arrays (ny, nx), written.
+    start : ndarray, (2, any, any), optional
+        What this function returned of a similar patch, as of the state before in time: the solution begins
+        there, in half the time, and does not depend on it by more than its tolerance.
+
+    Returns
+    -------
+    ndarray, (2, ny, nx)
+        Tractions over their bound in the elements of the box around the ellipse [-].
     """
     ny, nx = fields.pressure.shape
     own, _, pressure, mirrored = _own_units(patch)
-    solution, _ = solve_ellipse(own, (nx, ny))
-    grid = Grid(nx, ny, 2.0 * own.a / nx, 2.0 * own.b / ny)
-    bound = own.friction * hertz_pressure(
-        Influence(grid, Material(own.shear_modulus, own.poisson_ratio)), own.a, own.b, own.normal_force
-    )
+    if start is None:
+        solution, _ = solve_ellipse(own, (nx, ny))
+    else:
+        solution = _solve(own, (nx, ny), _mirror(start) if mirrored else start)
+    shares, x_grid = _share(own, solution), (np.arange(nx) - 0.5 * (nx - 1)) * (2.0 * own.a / nx)
+    slips, sticks = solution.slip, solution.stick
+    if mirrored:
+        shares, slips, sticks = _mirror(shares), _mirror(slips), sticks[::-1]
     along = -1.0 + (2.0 * np.arange(nx) + 1.0) / nx
-    sign = -1.0 if mirrored else 1.0
     for j in range(ny):
         lateral = -1.0 + (2 * j + 1) / ny
         cosine = math.sqrt(1.0 - lateral * lateral)
         x = own.a * cosine * along
-        row = ny - 1 - j if mirrored else j
-        inside = np.flatnonzero(bound[row] > 0.0)
+        inside = np.flatnonzero(np.abs(x_grid) < own.a * cosine)
         fields.pressure[j] = pressure * cosine * np.sqrt(1.0 - along**2)
-        limits = bound[row, inside]
-        share = solution.traction[:, row, inside] / limits
-        length = _along_strip(x, grid.x[inside], np.hypot(share[0], share[1]))
-        share = _along_strip(x, grid.x[inside], share)
-        speed = _along_strip(x, grid.x[inside], np.hypot(*solution.slip[:, row, inside]))
-        nearest = inside[np.abs(x[:, None] - grid.x[inside]).argmin(axis=1)]
-        speed = np.where(solution.stick[row, nearest], 0.0, speed)
+        share = shares[:, j, inside]
+        length = np.interp(x, x_grid[inside], np.hypot(share[0], share[1]))
+        speed = np.interp(x, x_grid[inside], np.hypot(*slips[:, j, inside]))
+        nearest = inside[np.abs(x[:, None] - x_grid[inside]).argmin(axis=1)]
+        speed = np.where(sticks[j, nearest], 0.0, speed)
+        share = np.stack([np.interp(x, x_grid[inside], part) for part in share])
         direction = share / np.maximum(np.hypot(share[0], share[1]), 1e-300)
         traction = direction * np.minimum(length, 1.0) * patch.friction * fields.pressure[j]
-        fields.q_x[j], fields.q_y[j] = traction[0], sign * traction[1]
-        fields.slip_x[j], fields.slip_y[j] = -speed * direction[0], -sign * speed * direction[1]
+        fields.q_x[j], fields.q_y[j] = traction
+        fields.slip_x[j], fields.slip_y[j] = -speed * direction
     _balance(patch, fields)
+    return shares
+
+
+def _mirror(values: FloatArray) -> FloatArray:
+    """Vectors (2, ny, nx) seen in a mirror along x."""
+    return np.stack([values[0, ::-1], -values[1, ::-1]])
 
 
 def _balance(patch: RollingPatch, fields: Fields) -> None:

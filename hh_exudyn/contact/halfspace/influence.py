@@ -97,6 +97,14 @@ class Transforms:
     own: tuple[float, float]
 
 
+def _corner_functions(along: FloatArray, across: FloatArray) -> FloatArray:
+    """Functions whose mixed derivatives are 1/r, x^2/r^3, y^2/r^3 and x y/r^3; `across` is nowhere 0."""
+    second = across * np.arcsinh(along / np.abs(across))
+    with np.errstate(divide="ignore", invalid="ignore"):  # the limit of the third at along = 0 is zero
+        third = np.where(along == 0.0, 0.0, along * np.arcsinh(across / np.abs(along)))
+    return np.stack([second + third, second, third, -np.hypot(along, across)])
+
+
 def rectangle_integrals(x: Any, y: Any, half_x: float, half_y: float) -> FloatArray:
     """Integrals of 1/r, x^2/r^3, y^2/r^3 and x y/r^3 over a rectangle about the origin, at places x, y.
 
@@ -112,26 +120,38 @@ def rectangle_integrals(x: Any, y: Any, half_x: float, half_y: float) -> FloatAr
     ndarray, (4, ...)
         Lengths [m].
     """
-    result: FloatArray = np.zeros((4, *np.broadcast(x, y).shape))
+    x, y = np.broadcast_arrays(np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64))
+    result: FloatArray = np.zeros((4, *x.shape))
     for sign, shift_x, shift_y in ((1, 1, 1), (-1, -1, 1), (-1, 1, -1), (1, -1, -1)):
-        across, along = np.asarray(y) + shift_y * half_y, np.asarray(x) + shift_x * half_x
-        second = across * np.arcsinh(along / np.abs(across))  # its mixed derivative is x^2/r^3
-        with np.errstate(divide="ignore", invalid="ignore"):  # on a line through a side across it is zero
-            third = np.where(along == 0.0, 0.0, along * np.arcsinh(across / np.abs(along)))
-        result[0] += sign * (second + third)
-        result[1] += sign * second
-        result[2] += sign * third
-        result[3] -= sign * np.hypot(along, across)
+        result += sign * _corner_functions(x + shift_x * half_x, y + shift_y * half_y)
     return result
 
 
-def _influences(lags_x: FloatArray, ny: int, ratio: float, poisson_ratio: float) -> FloatArray:
-    """Displacements at lags along x and all lags across, per 1/(pi G): (4, 2 ny - 1, lags).
+def lag_integrals(first: float, count: int, ny: int, ratio: float) -> FloatArray:
+    """`rectangle_integrals` of an element 1 by `ratio` at lags (4, 2 ny - 1, count), each corner only once.
+
+    Parameters
+    ----------
+    first : float
+        The first lag along x; the others follow in steps of 1.
+    count, ny : int
+        Lags along x, and elements across: lags from -(ny - 1) to ny - 1.
+    ratio : float
+        Side of the element across over that along [-].
+    """
+    along = first - 0.5 + np.arange(count + 1.0)
+    across = ratio * (np.arange(-ny, ny) + 0.5)[:, None]
+    corners = _corner_functions(*np.broadcast_arrays(along, across))
+    integrals: FloatArray = np.diff(np.diff(corners, axis=-1), axis=-2)
+    return integrals
+
+
+def _influences(first: float, count: int, ny: int, ratio: float, poisson_ratio: float) -> FloatArray:
+    """Displacements at lags as of `lag_integrals`, per 1/(pi G): (4, 2 ny - 1, count).
 
     Of z by p, of x by q_x, of y by q_y, and of both crossed.
     """
-    lags_y = ratio * np.arange(-(ny - 1.0), ny)[:, None]
-    inverse, of_x, of_y, crossed = rectangle_integrals(lags_x, lags_y, 0.5, 0.5 * ratio)
+    inverse, of_x, of_y, crossed = lag_integrals(first, count, ny, ratio)
     normal = (1.0 - poisson_ratio) * inverse
     return np.stack(
         [normal, normal + poisson_ratio * of_x, normal + poisson_ratio * of_y, poisson_ratio * crossed]
@@ -155,7 +175,7 @@ def _padded(nx: int, ny: int) -> tuple[int, int]:
 @lru_cache(maxsize=_PREPARED)
 def _transforms(nx: int, ny: int, ratio: float, poisson_ratio: float) -> Transforms:
     """The transforms of a grid of elements 1 by `ratio`."""
-    values = _influences(np.arange(-nx, nx + 1.0), ny, ratio, poisson_ratio)
+    values = _influences(-nx, 2 * nx + 1, ny, ratio, poisson_ratio)
     slips = values[1:, :, :-1] - values[1:, :, 1:]
     transforms = _transform(np.concatenate([values[:1, :, :-1], slips]), nx, ny)
     own = (float(slips[0, ny - 1, nx]), float(slips[1, ny - 1, nx]))
@@ -165,7 +185,7 @@ def _transforms(nx: int, ny: int, ratio: float, poisson_ratio: float) -> Transfo
 @lru_cache(maxsize=_PREPARED)
 def _centred_slip(nx: int, ny: int, ratio: float, poisson_ratio: float) -> Any:
     """As `Transforms.slip`, between the edges of an element."""
-    values = _influences(np.arange(-nx, nx + 1.0) - 0.5, ny, ratio, poisson_ratio)[1:]
+    values = _influences(-nx - 0.5, 2 * nx + 1, ny, ratio, poisson_ratio)[1:]
     return _transform(values[:, :, :-1] - values[:, :, 1:], nx, ny)
 
 

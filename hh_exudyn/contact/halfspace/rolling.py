@@ -22,7 +22,7 @@ import numpy as np
 from scipy import fft
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.halfspace.influence import Influence, rectangle_integrals
+from hh_exudyn.contact.halfspace.influence import Influence, lag_integrals
 from hh_exudyn.contact.halfspace.krylov import gmres
 from hh_exudyn.kernel import kernel
 
@@ -76,21 +76,17 @@ class RollingSolution:
 def _circulant(nx: int, ny: int, ratio: float, poisson_ratio: float) -> tuple[Any, Any]:
     """Eigenvalues (2, rows, columns) per 1/(pi G) of the preconditioner, and the half turn along x."""
     rows, columns = fft.next_fast_len(ny), fft.next_fast_len(nx)
-    lag_x, lag_y = (
-        np.arange(-(columns // 2), columns - columns // 2),
-        np.arange(-(rows // 2), rows - rows // 2),
-    )
-    ends = np.append(lag_x, lag_x[-1] + 1).astype(float)
-    inverse, of_x, of_y, _ = rectangle_integrals(ends, ratio * lag_y[:, None], 0.5, 0.5 * ratio)
-    values = []
-    for own in (of_x, of_y):
+    half_x, half_y = columns // 2, rows // 2
+    lag_x, lag_y = np.arange(-half_x, columns - half_x), np.arange(-half_y, rows - half_y)
+    reach = half_y + 1
+    found = lag_integrals(-half_x, columns + 1, reach, ratio)
+    inverse, of_x, of_y, _ = found[:, reach - 1 + lag_y[0] : reach + lag_y[-1]]
+    half_turn = np.exp(1j * np.pi * lag_x / columns)
+    placed = np.zeros((2, rows, columns), dtype=complex)
+    for place, own in zip(placed, (of_x, of_y), strict=True):
         influence = (1.0 - poisson_ratio) * inverse + poisson_ratio * own
-        placed = np.zeros((rows, columns), dtype=complex)
-        placed[np.ix_(lag_y % rows, lag_x % columns)] = (influence[:, :-1] - influence[:, 1:]) * np.exp(
-            1j * np.pi * lag_x / columns
-        )
-        values.append(fft.fft2(placed))
-    return np.stack(values), np.exp(1j * np.pi * np.arange(nx) / columns)
+        place[np.ix_(lag_y % rows, lag_x % columns)] = (influence[:, :-1] - influence[:, 1:]) * half_turn
+    return fft.fft2(placed), np.exp(1j * np.pi * np.arange(nx) / columns)
 
 
 @kernel

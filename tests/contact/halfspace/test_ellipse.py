@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from hh_exudyn.contact.halfspace.ellipse import ellipse_field
 from hh_exudyn.contact.tangential.api import cell_areas, creep_force, traction_field
 from hh_exudyn.contact.tangential.registry import (
     FIELD_THEORIES,
@@ -17,6 +18,7 @@ from hh_exudyn.contact.tangential.registry import (
     THEORIES,
 )
 from hh_exudyn.contact.tangential.validation import exact_fields, exact_forces, force_error
+from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.contact.wheel_rail import wheel_rail_model
 
 A, B, N, MU = 7.5e-3, 2.9e-3, 142668.0, 0.37
@@ -132,3 +134,17 @@ def test_nothing_from_nothing() -> None:
         assert not field.q_x.any()
     rigid = traction_field("halfspace", A, B, N, 1e-3, 2e-3, 0.1, 0.0, cells=(8, 8))
     assert rigid.slip_x == pytest.approx(1e-3 - 0.1 * rigid.y)
+
+
+def test_a_start_changes_nothing() -> None:
+    """A log in time: each patch from the one before, mirrored ones among them."""
+    start = None
+    for step in range(6):
+        turn = math.cos(0.6 * step)
+        patch = RollingPatch(A, B * (1.0 + 0.02 * step), N, 2e-3, 1e-3 * turn, 0.3 * turn, MU, 82e9, 0.28)
+        found, wanted = Fields(*np.zeros((5, 20, 20))), Fields(*np.zeros((5, 20, 20)))
+        start = ellipse_field(patch, found, start)
+        ellipse_field(patch, wanted)
+        for ours, other in zip(found[1:3], wanted[1:3], strict=True):
+            assert ours == pytest.approx(other, abs=1e-3 * MU * wanted.pressure.max())
+    assert start.shape == (2, 20, 20)
