@@ -27,6 +27,7 @@ from rich.table import Table
 from hh_exudyn import __version__
 from hh_exudyn.cli import assess as cli_assess
 from hh_exudyn.cli import contact as cli_contact
+from hh_exudyn.cli import creep_curve as cli_creep_curve
 from hh_exudyn.cli import damage as cli_damage
 from hh_exudyn.cli import inputs, output
 from hh_exudyn.cli import linear as cli_linear
@@ -54,6 +55,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 cli_contact.register(app)
+cli_creep_curve.register(app)
 cli_damage.register(app)
 cli_track.register(app)
 cli_assess.register(app)

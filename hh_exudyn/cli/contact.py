@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
+from rich.markup import escape
 from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
@@ -66,7 +67,7 @@ def patch(
         names = _theories(theory or [])
         from hh_exudyn.contact.material import STEEL
         from hh_exudyn.contact.tangential.api import PatchLoad, creep_force, traction_field
-        from hh_exudyn.contact.tangential.registry import FIELD_THEORIES
+        from hh_exudyn.contact.tangential.registry import PATCH_FIELD_THEORIES
         from hh_exudyn.figures.patch import patch_figure
 
         load = PatchLoad(a_mm * 1e-3, b_mm * 1e-3, load_kn * 1e3, nu_x, nu_y, spin, friction)
@@ -74,7 +75,7 @@ def patch(
         fields = {
             name: traction_field(name, *load.arguments, cells=(cells, cells))
             for name in names
-            if name in FIELD_THEORIES
+            if name in PATCH_FIELD_THEORIES
         }
         output.print_table(_patch_table(load, forces, fields))
         output.print_line(
@@ -137,6 +138,32 @@ def validate_contact() -> None:
         output.print_line(
             "force: in % of friction * normal force; |q| traction, |s| slip, peak of |q|: in % of the exact"
         )
+
+
+@validate.command("halfspace")
+def validate_halfspace() -> None:
+    """The exact half-space solver against Hertz, Johnson and CONTACT: pressure, rolling, wheel on rail."""
+    with output.errors_in_one_line():
+        from hh_exudyn.contact.halfspace.validation import halfspace_table
+
+        with output.status("comparing"):
+            rows = halfspace_table()
+        table = output.new_table(
+            "The half-space solver against numbers from outside",
+            ("quantity", "source", "ours", "outside", "deviation [%]", "allowed [%]", "verdict"),
+        )
+        for row in rows:
+            table.add_row(
+                escape(row.quantity),
+                row.source,
+                f"{row.found:.4g}",
+                f"{row.wanted:.4g}",
+                output.number(100.0 * row.deviation, 2),
+                output.number(100.0 * row.allowed, 1),
+                "holds" if row.holds else "FAILS",
+            )
+        output.print_table(table)
+        output.print_line("an error or a worst deviation of many: ours is the deviation itself, outside 0")
 
 
 def conicity(
@@ -227,12 +254,12 @@ def _summary(report: "ConicityReport") -> str:
 
 def _theories(wanted: list[str]) -> list[str]:
     """The named theories in the order of the registry; all of them where none is named."""
-    from hh_exudyn.contact.tangential.registry import THEORIES
+    from hh_exudyn.contact.tangential.registry import PATCH_THEORIES
 
     for name in wanted:
-        if name not in THEORIES:
-            raise inputs.BadInput(f"--theory {name}: unknown, allowed: {', '.join(THEORIES)}")
-    return [name for name in THEORIES if name in wanted or not wanted]
+        if name not in PATCH_THEORIES:
+            raise inputs.BadInput(f"--theory {name}: unknown, allowed: {', '.join(PATCH_THEORIES)}")
+    return [name for name in PATCH_THEORIES if name in wanted or not wanted]
 
 
 def _wheel(name: str) -> "Profile":

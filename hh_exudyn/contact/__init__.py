@@ -8,6 +8,7 @@ Folders, in the order of the computation; each has a map of its own.
 `normal`            Hertz and non-elliptic patches; stresses below a patch
 `strips`            coupled strips: normal contact and creep forces of a whole wheel, a run's default
 `tangential`        creep forces and tractions by all theories
+`halfspace`         the exact solution: half-spaces, pressure, rolling, stresses below
 ==================  =================================================================================
 
 Their composition.

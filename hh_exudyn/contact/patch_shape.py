@@ -165,13 +165,16 @@ def patch_shape(model: WheelRailModel, state: State, strips: int = 50) -> PatchS
     if rows[0, Y] > rows[-1, Y]:
         rows = rows[::-1]
     shape = PatchShape(
-        *(rows[:, column] for column in (Y, WIDTH, HALF_LENGTH, PRESSURE)),
-        a,
-        b,
-        state.y_wheel - state.side * math.cos(state.contact_angle) * rows[:, Y],
-        state.nu_x - state.phi * rows[:, Y],
-        np.full(strips, state.nu_y),
-        np.full(strips, state.phi),
+        y=rows[:, Y],
+        width=rows[:, WIDTH],
+        half_length=rows[:, HALF_LENGTH],
+        pressure=rows[:, PRESSURE],
+        a=a,
+        b=b,
+        y_wheel=state.y_wheel - state.side * math.cos(state.contact_angle) * rows[:, Y],
+        nu_x=state.nu_x - state.phi * rows[:, Y],
+        nu_y=np.full(strips, state.nu_y),
+        phi=np.full(strips, state.phi),
     )
     # for the contact damping, and the error of the strips at their edges
     return replace(shape, pressure=state.normal_force / shape.normal_force() * shape.pressure)
@@ -182,19 +185,22 @@ def _coupled_shape(model: WheelRailModel, state: State) -> PatchShape:
     rows = np.zeros((ROWS, CAPACITY))
     count = _rebuild(model, state, rows)
     rows = rows[:, np.flatnonzero(rows[Row.LOAD, :count] > 0.0)]
-    numbers = rows[Row.NUMBER].astype(int)
-    loads = rows[Row.LOAD]
+    if state.side == LEFT:  # the flange is to the right of its tread
+        rows = rows[:, ::-1]
     strips = model.strips_left if state.side == LEFT else model.strips_right
-    largest = int(np.argmax(loads / rows[Row.WIDTH]))
-    y = state.side * (np.average(rows[Row.ARC], weights=loads) - rows[Row.ARC])
-    order = np.argsort(y)
-    columns = (
-        y, rows[Row.WIDTH], rows[Row.HALF_LENGTH], rows[Row.PRESSURE],
-        strips.y[numbers], rows[Row.NU_X], rows[Row.NU_Y], rows[Row.PHI],
-    )  # fmt: skip
-    first = [column[order] for column in columns]
-    a, b = float(rows[Row.A, largest]), float(rows[Row.B, largest])
-    return PatchShape(*first[:4], a, b, *first[4:])
+    largest = int(np.argmax(rows[Row.LOAD] / rows[Row.WIDTH]))
+    return PatchShape(
+        y=state.side * (np.average(rows[Row.ARC], weights=rows[Row.LOAD]) - rows[Row.ARC]),
+        width=rows[Row.WIDTH],
+        half_length=rows[Row.HALF_LENGTH],
+        pressure=rows[Row.PRESSURE],
+        a=float(rows[Row.A, largest]),
+        b=float(rows[Row.B, largest]),
+        y_wheel=strips.y[rows[Row.NUMBER].astype(int)],
+        nu_x=rows[Row.NU_X],
+        nu_y=rows[Row.NU_Y],
+        phi=rows[Row.PHI],
+    )
 
 
 def _rebuild(model: WheelRailModel, state: State, rows: FloatArray, fields: Fields | None = None) -> int:

@@ -2,6 +2,7 @@
 
 ================  ======================================================================================
 `patch`           one patch, all theories side by side: traction, stick and slip, slip velocity, forces
+`creep_curve`     creep force over creepage and spin, all theories beside the half-space
 `conicity`        panels over the lateral displacement: conicity, radius difference, contact positions
 `conicity_sheet`  these panels on one sheet, for a wheel on a rail at several gauges
 `track`           a track over its length, with irregularities and quality classes; a line as shares

@@ -10,7 +10,7 @@ from command_line import call, refused
 from hh_exudyn.contact.geometry.functions import equivalent_conicity, rolling_radius_difference
 from hh_exudyn.contact.profile import Profile, rail_profile, read_rail_profile, wheel_profile
 from hh_exudyn.contact.tangential.api import creep_force
-from hh_exudyn.contact.tangential.registry import THEORIES
+from hh_exudyn.contact.tangential.registry import PATCH_THEORIES
 from hh_exudyn.contact.tangential.validation import contact_table, to_table
 
 PATCH = ("patch", "--a-mm", "6", "--b-mm", "4", "--load-kn", "100")
@@ -26,8 +26,8 @@ def rows(text: str, names: str) -> dict[str, list[str]]:
 def test_patch_prints_the_forces_of_every_theory() -> None:
     result = call(*PATCH, *CREEPAGE)
     assert result.exit_code == 0, result.stderr
-    table = rows(result.stdout, "|".join(THEORIES))
-    assert list(table) == list(THEORIES)
+    table = rows(result.stdout, "|".join(PATCH_THEORIES))
+    assert list(table) == list(PATCH_THEORIES)
     for name, cells in table.items():
         force = creep_force(name, 6e-3, 4e-3, 1e5, 1e-3, -5e-4, 0.1, 0.3, cells=(50, 50))
         values = [float(cell) for cell in cells[:4]]
@@ -48,7 +48,7 @@ def test_patch_of_chosen_theories_with_a_figure(tmp_path: Path) -> None:
         *PATCH, *CREEPAGE, "--theory", "fastrip", "--theory", "linear", "--cells", "10", "--out", path
     )
     assert result.exit_code == 0, result.stderr
-    assert list(rows(result.stdout, "|".join(THEORIES))) == ["linear", "fastrip"]
+    assert list(rows(result.stdout, "|".join(PATCH_THEORIES))) == ["linear", "fastrip"]
     assert path.read_bytes().startswith(b"\x89PNG")
     assert f"figure: {path}" in result.stdout
     before = path.read_bytes()
@@ -62,7 +62,7 @@ BAD_PATCHES = {
     "creepage": (("--nu-x", "nan"), "--nu-x nan: allowed -1 to 1"),
     "friction": (("--friction", "0"), "--friction 0: allowed 0.001 to 2"),
     "cells": (("--cells", "2"), "--cells 2: allowed 5 to 400"),
-    "theory": (("--theory", "contact"), f"--theory contact: unknown, allowed: {', '.join(THEORIES)}"),
+    "theory": (("--theory", "contact"), f"--theory contact: unknown, allowed: {', '.join(PATCH_THEORIES)}"),
     "format": (("--out", "patch.doc"), "--out patch.doc: allowed are .png, .pdf, .svg"),
     "folder": (("--out", "/none/patch.png"), "--out /none/patch.png: there is no folder /none"),
 }

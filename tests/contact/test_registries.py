@@ -11,7 +11,12 @@ import pytest
 
 from hh_exudyn.case.contact import ContactCase
 from hh_exudyn.contact.normal.registry import NORMAL, check_combination
-from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, RUN_THEORIES, TANGENTIAL, THEORIES
+from hh_exudyn.contact.tangential.registry import (
+    PATCH_FIELD_THEORIES,
+    PATCH_THEORIES,
+    RUN_THEORIES,
+    TANGENTIAL,
+)
 from hh_exudyn.contact.tangential.validation import contact_table
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -42,8 +47,8 @@ def test_strips_go_with_theories_that_take_them() -> None:
 
 def test_the_table_of_errors_has_every_theory() -> None:
     rows = contact_table(cells=(6, 6))
-    assert [*dict.fromkeys(row.theory for row in rows)] == list(THEORIES)
-    assert {row.theory for row in rows if row.fields} <= set(FIELD_THEORIES)
+    assert [*dict.fromkeys(row.theory for row in rows)] == list(PATCH_THEORIES)
+    assert {row.theory for row in rows if row.fields} <= set(PATCH_FIELD_THEORIES)
 
 
 DUMMY = """\"\"\"Full slip at any creepage.\"\"\"
@@ -60,7 +65,7 @@ def force(patch):
     return -size * patch.nu_x, -size * patch.nu_y, 0.0
 """
 EDITS = (  # in the registry: the text before which a line is put, the line
-    ("CARTER = 3", "DUMMY = 10"),
+    ("CARTER = 3", "DUMMY = 11"),
     ("    Theory(STRIP,", '    Theory(DUMMY, "dummy", "full slip", has_field=False, has_moment=False),'),
     (
         "    if theory == FASTRIP:\n        return fastrip.force(",

@@ -10,6 +10,7 @@ and has its largest value elsewhere: contact follows d.
 """
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -124,7 +125,7 @@ def _vertical_gaps(pair: WheelRailPair, strips: WheelStrips, first: int, end: in
 
 
 @inlined_kernel
-def _spline_at(rail: SplineTable, node: int, q: float) -> tuple[float, float]:
+def _spline_at(rail: SplineTable, node: Any, q: float) -> tuple[float, float]:
     """Height and slope of a profile, the part q behind a node; `spline.spline_evaluate` without a branch."""
     p = 1.0 - q
     after = node + np.uint64(1)

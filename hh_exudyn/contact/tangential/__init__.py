@@ -14,6 +14,7 @@
 `fastrip_theory`    its formulas, strip by strip
 `strips`            a patch of any shape as strips
 `given`             creep coefficients and conicity as a reference model states them
+`curves`            creep force over one creepage by several theories
 `validation`        errors of all theories against the exact solution
 ==================  =================================================================================
 """

@@ -18,8 +18,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.halfspace.ellipse import ellipse_field, ellipse_force
 from hh_exudyn.contact.material import STEEL, Material
-from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel, force_kernel
+from hh_exudyn.contact.tangential.registry import (
+    FASTRIP,
+    PATCH_FIELD_THEORIES,
+    PATCH_THEORIES,
+    THEORIES,
+    field_kernel,
+    force_kernel,
+    solvable,
+)
 from hh_exudyn.contact.types import Fields, RollingPatch
 
 _MOST_CELLS = 2000  # in either direction: more than any stress field needs, and about a second
@@ -132,10 +141,10 @@ def _rolling_patch(
     return RollingPatch._make(float(number) for number in numbers)
 
 
-def _checked(theory: str, patch: RollingPatch, cells: tuple[int, int]) -> int:
-    """The theory's number; ValueError for anything out of range."""
-    if theory not in THEORIES:
-        raise ValueError(f"theory = {theory!r}; known theories: {', '.join(THEORIES)}")
+def _check(theory: str, patch: RollingPatch, cells: tuple[int, int]) -> None:
+    """ValueError for anything out of range."""
+    if theory not in PATCH_THEORIES:
+        raise ValueError(f"theory = {theory!r}; known theories: {', '.join(PATCH_THEORIES)}")
     for name, unit in (("a", "m"), ("b", "m"), ("normal_force", "N"), ("friction", "-")):
         value = getattr(patch, name)
         if not (math.isfinite(value) and value >= 0.0):
@@ -153,7 +162,6 @@ def _checked(theory: str, patch: RollingPatch, cells: tuple[int, int]) -> int:
         raise ValueError(
             f"cells = {cells}; two whole numbers from 1 to {_MOST_CELLS} are needed, along x and across y"
         )
-    return THEORIES[theory]
 
 
 def creep_force(
@@ -175,7 +183,7 @@ def creep_force(
     Parameters
     ----------
     theory : str
-        One of `THEORIES`. "carter" ignores `nu_y` and `phi`, "linear" the friction limit.
+        One of `registry.PATCH_THEORIES`. "carter" ignores `nu_y` and `phi`, "linear" the friction limit.
     a, b : float
         Semi-axes in rolling direction and lateral [m], > 0 (0 only without normal force).
     normal_force : float
@@ -202,8 +210,14 @@ def creep_force(
         For an unknown theory or an argument out of range.
     """
     patch = _rolling_patch(a, b, normal_force, nu_x, nu_y, phi, friction, material)
-    number = _checked(theory, patch, cells)
-    x, y, moment = force_kernel(number, patch, int(cells[0]), int(cells[1]))
+    _check(theory, patch, cells)
+    nx, ny = int(cells[0]), int(cells[1])
+    if theory in THEORIES:
+        x, y, moment = force_kernel(THEORIES[theory], patch, nx, ny)
+    elif solvable(patch):
+        x, y, moment = ellipse_force(patch, (nx, ny))
+    else:
+        x, y, moment = 0.0, 0.0, 0.0
     return CreepForce(float(x), float(y), float(moment))
 
 
@@ -231,20 +245,26 @@ def traction_field(
     Raises
     ------
     ValueError
-        For a theory without a stress field (not one of `FIELD_THEORIES`), or an argument out of range.
+        For a theory without a stress field (not one of `registry.PATCH_FIELD_THEORIES`), or an argument out
+        of range.
     """
-    if theory in THEORIES and theory not in FIELD_THEORIES:
+    if theory in PATCH_THEORIES and theory not in PATCH_FIELD_THEORIES:
         raise ValueError(
             f"theory = {theory!r} gives forces only, no stress field; theories with one: "
-            f"{', '.join(FIELD_THEORIES)}"
+            f"{', '.join(PATCH_FIELD_THEORIES)}"
         )
     patch = _rolling_patch(a, b, normal_force, nu_x, nu_y, phi, friction, material)
-    number = _checked(theory, patch, cells)
+    _check(theory, patch, cells)
     nx, ny = int(cells[0]), int(cells[1])
     lateral = -1.0 + (2.0 * np.arange(ny) + 1.0) / ny
     along = -1.0 + (2.0 * np.arange(nx) + 1.0) / nx
     x = patch.a * np.sqrt(1.0 - lateral**2)[:, None] * along[None, :]
     y = np.repeat(patch.b * lateral[:, None], nx, axis=1)
     fields = Fields(*np.zeros((5, ny, nx)))
-    field_kernel(number, patch, fields)
+    if theory in THEORIES:
+        field_kernel(THEORIES[theory], patch, fields)
+    elif solvable(patch):
+        ellipse_field(patch, fields)
+    else:  # the pressure, and the rigid slip where there is no friction
+        field_kernel(FASTRIP, patch, fields)
     return TractionField(x, y, *fields)

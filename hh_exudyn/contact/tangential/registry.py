@@ -2,7 +2,8 @@
 
 A theory is a file of kernels with `force(patch, ...)` and, where it has one, `field(patch, fields)`; here a
 number, a record in `TANGENTIAL` and a line in `force_kernel`, `field_kernel` or `strips_kernel`. Case schema,
-command line, damage and the table of `validation` follow from the records.
+command line, damage and the table of `validation` follow from the records. A theory that is no kernel
+(`Theory.in_kernels`) is known to `api` only: to `creep_force`, `traction_field` and what is made of them.
 
 Errors against the exact solution: `validation`. In every field friction dissipates the power of the
 creepages, summed over the cells (to rounding; where the slip zone is shorter than a cell, nothing slips); the
@@ -27,6 +28,7 @@ POLACH = 6
 FASTSIM_SINGLE = 7
 FASTSIM_ELLIPTIC = 8
 GIVEN = 9
+HALFSPACE = 10
 
 
 class Theory(NamedTuple):
@@ -40,6 +42,7 @@ class Theory(NamedTuple):
     takes_strips: bool = False  # whether it takes patches of any shape
     in_runs: bool = True  # whether a case may name it
     of_patch: bool = True  # whether its forces follow from the patch, or from the model (`given`)
+    in_kernels: bool = True  # whether `force_kernel` knows it: else it is too slow for a run
 
 
 TANGENTIAL = (
@@ -70,6 +73,13 @@ TANGENTIAL = (
         has_moment=False,
     ),
     Theory(
+        HALFSPACE,
+        "halfspace",
+        "exact half-space theory, Kalker 1979, solved by `halfspace`; not in runs",
+        in_runs=False,
+        in_kernels=False,
+    ),
+    Theory(
         GIVEN,
         "given",
         "coefficients and conicity that the vehicle states (`given`)",
@@ -78,8 +88,12 @@ TANGENTIAL = (
         of_patch=False,
     ),
 )
-THEORIES: dict[str, int] = {theory.name: theory.number for theory in TANGENTIAL if theory.of_patch}
-FIELD_THEORIES = tuple(theory.name for theory in TANGENTIAL if theory.has_field)
+THEORIES: dict[str, int] = {
+    theory.name: theory.number for theory in TANGENTIAL if theory.of_patch and theory.in_kernels
+}
+FIELD_THEORIES = tuple(theory.name for theory in TANGENTIAL if theory.has_field and theory.in_kernels)
+PATCH_THEORIES = tuple(theory.name for theory in TANGENTIAL if theory.of_patch)  # those of `api`
+PATCH_FIELD_THEORIES = tuple(theory.name for theory in TANGENTIAL if theory.of_patch and theory.has_field)
 STRIP_THEORIES = tuple(theory.name for theory in TANGENTIAL if theory.takes_strips)
 RUN_THEORIES = tuple(theory.name for theory in TANGENTIAL if theory.in_runs)
 _NO_CREEPAGE = 1e-60  # smaller creepages, which would underflow when squared, count as zero [-]
@@ -108,6 +122,13 @@ def _creeps(patch: RollingPatch) -> bool:
 
 
 @kernel
+def solvable(patch: RollingPatch) -> bool:
+    """Whether a patch has a creep force: load, friction, area and creepage."""
+    loaded = patch.normal_force > 0.0 and patch.friction > 0.0 and patch.a > 0.0 and patch.b > 0.0
+    return loaded and _creeps(patch)
+
+
+@kernel
 def force_kernel(theory: int, patch: RollingPatch, cells_x: int, cells_y: int) -> Triple:
     """Creep force and moment on the wheel (kernel: trusts its input, allocates nothing).
 
@@ -125,9 +146,7 @@ def force_kernel(theory: int, patch: RollingPatch, cells_x: int, cells_y: int) -
     tuple of float
         F_x [N], F_y [N], M_z [N m]; zero without normal force, creepage, friction or area.
     """
-    if not (patch.normal_force > 0.0 and patch.friction > 0.0 and patch.a > 0.0 and patch.b > 0.0):
-        return 0.0, 0.0, 0.0
-    if not _creeps(patch):
+    if not solvable(patch):
         return 0.0, 0.0, 0.0
     if theory == FASTRIP:
         return fastrip.force(patch, cells_x, cells_y)

@@ -21,7 +21,7 @@ from scipy.interpolate import RegularGridInterpolator
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import Material
 from hh_exudyn.contact.tangential.api import PatchLoad, cell_areas, creep_force, traction_field
-from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES
+from hh_exudyn.contact.tangential.registry import PATCH_FIELD_THEORIES, PATCH_THEORIES
 
 CELLS = (50, 50)  # cells along and strips across, of the theories
 _DATA = files("hh_exudyn") / "data" / "validation"
@@ -215,7 +215,7 @@ _COMPARED: dict[str, tuple[_Wanted, ...]] = {  # cases of theories that are not 
     "strip": (_ALL, ("a/b = 0.2, no spin", _slender)),  # the range of validity of strip theory
     "polach": (_ALL, ("no spin", _no_spin)),
 }
-_ROWS = [(theory, *wanted) for theory in THEORIES for wanted in _COMPARED.get(theory, (_ALL,))]
+_ROWS = [(theory, *wanted) for theory in PATCH_THEORIES for wanted in _COMPARED.get(theory, (_ALL,))]
 
 
 def contact_table(cells: tuple[int, int] = CELLS) -> list[TheoryErrors]:
@@ -238,7 +238,7 @@ def contact_table(cells: tuple[int, int] = CELLS) -> list[TheoryErrors]:
             theory, label, len(errors), float(np.mean(errors)), float(np.percentile(errors, 95.0)),
             float(np.max(errors)), 0,
         )  # fmt: skip
-        if theory in FIELD_THEORIES:
+        if theory in PATCH_FIELD_THEORIES:
             of_fields = [field_errors(theory, exact, cells) for exact in fields if wanted(exact.case)]
             if of_fields:
                 row = _with_fields(row, of_fields)
