@@ -14,6 +14,7 @@
 `linear`        folder: modes, stability and hunting about the equilibrium
 `control`       controllers in the loop: driver and steering of a vehicle with drives
 `watch`         derailment, divergence, a step too large: reasons to stop a run
+`chatter`       wheels whose contact jumps from place to place, counted in windows
 `interruption`  Ctrl-C while Exudyn integrates
 `recording`     rows of the logs
 `simulate`      `simulate(case, directory)`

@@ -14,6 +14,7 @@ from hh_exudyn.kernel import Bundle
 from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.log.store import Run, open_run, write_case, write_status, write_vehicle
 from hh_exudyn.multibody.assembly import assemble, explicit_settings, exudyn_system
+from hh_exudyn.multibody.chatter import chattering_wheels
 from hh_exudyn.multibody.control import VehicleControl, vehicle_control
 from hh_exudyn.multibody.equilibrium import Equilibrium, equilibrium
 from hh_exudyn.multibody.interruption import Interruption
@@ -110,7 +111,11 @@ def simulate(
             status["reason"] = str(error)
             raise
         finally:
-            status.update(integration.times, floored_curvatures=integration.floored)
+            status.update(
+                integration.times,
+                floored_curvatures=integration.floored,
+                chatter=integration.chatter,
+            )
             write_status(directory, status)
     return open_run(directory)
 
@@ -226,6 +231,11 @@ class _Integration:
     def floored(self) -> int:
         """Number of contact states, one per step and patch, with lateral curvature at its floor."""
         return int(self._watch.floored.sum())
+
+    @property
+    def chatter(self) -> list[dict[str, Any]]:
+        """Wheels whose contact jumps (`chatter.chattering_wheels`)."""
+        return chattering_wheels(self._watch.chatter)
 
     def _commit(self, time: float, v: FloatArray, status: int) -> bool:
         """Commit the sliders of the accepted state, check it, log it, and call the controllers.

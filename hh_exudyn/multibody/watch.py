@@ -10,6 +10,7 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.state import Patch
 from hh_exudyn.contact.types import SplineTable
 from hh_exudyn.kernel import Bundle, kernel
+from hh_exudyn.multibody.chatter import ChatterState, chatter_state, count_chatter
 from hh_exudyn.multibody.model import SystemModel, Workspace
 
 LIFT_OFF_TIME = 0.1  # s without contact of a wheel that counts as a derailment
@@ -57,6 +58,7 @@ class WatchState(NamedTuple):
     change: FloatArray  # its last change [N]
     alternations: FloatArray  # changes of opposite sign in a row
     floored: FloatArray  # number of patches so far with lateral curvature at its floor
+    chatter: ChatterState
     flange_limit: FloatArray  # (2,) y on the wheel profile beyond which a contact is on the flange tip [m]
 
 
@@ -75,6 +77,7 @@ def watch_state(model: SystemModel) -> WatchState:
         change=np.zeros(shape),
         alternations=np.zeros(shape),
         floored=np.zeros(shape),
+        chatter=chatter_state(len(model.wheelsets)),
         flange_limit=np.array([_flange_limit(wheel) for wheel in wheels]),
     )
 
@@ -132,6 +135,7 @@ def look(work: Workspace, state: WatchState, step: float) -> tuple[Trouble, int,
                 state.alternations[w, side] = 0.0
             state.lateral_force[w, side] += change
             state.change[w, side] = change
+    count_chatter(work, state.chatter, step)
     return Trouble.NONE, -1, -1
 
 
