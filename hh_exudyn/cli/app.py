@@ -160,8 +160,8 @@ def _show_run(run: "Run") -> None:
         output.print_line(f"curve resistance of the wagons behind: {resistance}")
     for wheel in run.status.get("chatter", []):
         output.print_line(
-            f"doubtful: the contact of wheel {wheel['wheel']} jumps {wheel['changes_per_s']:g} times a second "
-            f"(Q spreads by {wheel['spread_of_Q_kN']:g} kN) at s = {wheel['s_m']:g} m"
+            f"doubtful: the contact of wheel {wheel['wheel']} jumps {wheel['changes_per_s']:g} times "
+            f"a second (Q spreads by {wheel['spread_of_Q_kN']:g} kN) at s = {wheel['s_m']:g} m"
         )
     output.print_line("Y is positive outwards; attack and position are positive to the left")
     output.print_line(f"play it: hh-exudyn playback {run.directory}")
