@@ -263,7 +263,10 @@ class Case(CaseTable):
 
         A table is changed key by key: ``case.with_changes(friction=0.3, track={"flexibility": "rigid"})``.
         """
-        return Case(**_merged(self.model_dump(), changes))
+        here = self.model_dump()
+        if "normal" not in self.contact.model_fields_set:  # it follows from the tangential theory
+            del here["contact"]["normal"]
+        return Case(**_merged(here, changes))
 
     def to_toml(self) -> str:
         """The case as TOML; `read_case` gives an equal case."""

@@ -24,8 +24,10 @@ class ContactCase(CaseTable):
     100 Hz alike. Contact modes near 580 Hz are damped to 17 and 39 % of critical. These figures are older
     than the frames of the rails (`track.course.rail_frame`) and not measured again since.
 
-    With 32 cells along each of 16 strips the lateral wheel forces of the demo are within 0.6 % of those with
-    50 x 50 cells and half the step; multiples of eight strips fill the vector registers. With the theory
+    Without a normal theory it is coupled strips, or Hertz's ellipse for a tangential theory that is made for
+    ellipses. Coupled strips lie where they lie on the wheel: they take the cells along from `cells`, not the
+    cells across. Of an ellipse, 32 cells along each of 16 strips keep the lateral wheel forces of the demo
+    within 0.6 % of those with 50 x 50 cells and half the step. With the theory
     "given" profiles, coefficients and conicity are those of the vehicle.
     """
 

@@ -14,9 +14,9 @@ from vehicles.catalogue import vehicle
 from vehicles.couplings import AxleBox
 
 
-@pytest.mark.parametrize(("value", "reach"), [(-5000.0, 2.7853), (-10.0 + 5000.0j, 2.8284)])
+@pytest.mark.parametrize(("value", "reach"), [(-5000.0, 2.5127), (-10.0 + 5000.0j, 1.7321)])
 def test_limits_of_the_runge_kutta_method(value, reach):
-    """On the real axis RK4 reaches 2.785, on the imaginary one 2 sqrt 2 (Hairer and Wanner, IV.2)."""
+    """On the real axis RK33 reaches 2.513, on the imaginary one sqrt 3 (Hairer and Wanner, IV.2)."""
     assert largest_stable_step(np.array([value])) == pytest.approx(reach / 5000.0, rel=0.01)
 
 
@@ -32,9 +32,9 @@ def values_at(demo, speed_km_h):
 
 
 @pytest.mark.parametrize("speed_km_h", [5.0, 10.0, 60.0, 130.0])
-def test_the_wagon_bears_every_step_of_a_case(demo, speed_km_h):
-    """Up to the longest that a case may have, 0.5 ms: 0.56 ms at a crawl, 0.53 and 0.52 ms faster."""
-    assert MARGIN * largest_stable_step(values_at(demo, speed_km_h)) >= 0.5e-3
+def test_the_wagon_bears_the_default_step_of_a_case(demo, speed_km_h):
+    """0.4 ms, at any speed: the limit is 0.42 ms at 5 and 10 km/h, 0.46 at 60 and 0.5 at 130."""
+    assert MARGIN * largest_stable_step(values_at(demo, speed_km_h)) >= 0.4e-3
 
 
 def test_the_loaded_wagon_moves_as_ore_wagons_do(demo):
