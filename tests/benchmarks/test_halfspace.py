@@ -1,4 +1,4 @@
-"""Time of the half-space solver on 40 x 40 elements and of a wheel on a rail (``pytest tests/benchmarks``)."""
+"""Time of the half-space solver on 40 x 40 elements, of a wheel on a rail (``pytest tests/benchmarks``)."""
 
 from typing import Any
 
