@@ -11,7 +11,7 @@ from hh_exudyn.contact.tangential.curves import CREEPAGES, CurvePatch, creep_cur
 PATCH = CurvePatch(5e-3, 3e-3, 8e4, 0.3)
 
 
-@pytest.mark.parametrize(("creepage", "column"), zip(CREEPAGES, (0, 1, 1), strict=True))
+@pytest.mark.parametrize(("creepage", "column"), [*zip(CREEPAGES, (0, 1, 1), strict=True)])
 def test_the_linear_theory_is_at_the_limit_at_the_unit(creepage: str, column: int) -> None:
     curve = creep_curve(PATCH, creepage, ("linear",), reach=2.0, points=3)
     assert curve.values == pytest.approx([0.0, PATCH.unit(creepage), 2.0 * PATCH.unit(creepage)])
