@@ -15,7 +15,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.halfspace.influence import Influence
+from hh_exudyn.contact.halfspace.influence import Grid, Influence
 from hh_exudyn.kernel import kernel
 
 _MOST_ITERATIONS = 2000  # far more than ever needed; reaching it is an error
@@ -138,6 +138,20 @@ def _carry(pressure: FloatArray, weight: FloatArray, load_over_area: float) -> b
     for i in range(pressure.size):
         pressure[i] *= factor
     return True
+
+
+def quadratic_overlap(grid: Grid, curvature_x: float, curvature_y: float) -> FloatArray:
+    """Overlap of Hertzian bodies that just touch, -A x^2 - B y^2 [m], (ny, nx).
+
+    Parameters
+    ----------
+    grid : Grid
+        The elements.
+    curvature_x, curvature_y : float
+        A and B, half the sums of the principal curvatures [1/m].
+    """
+    overlap: FloatArray = -curvature_x * grid.x[None, :] ** 2 - curvature_y * grid.y[:, None] ** 2
+    return overlap
 
 
 def _first_guess(

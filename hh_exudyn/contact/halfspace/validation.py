@@ -15,7 +15,7 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.halfspace.influence import Grid, Influence
-from hh_exudyn.contact.halfspace.normal import normal_contact
+from hh_exudyn.contact.halfspace.normal import normal_contact, quadratic_overlap
 from hh_exudyn.contact.halfspace.pose import wheel_above_rail
 from hh_exudyn.contact.halfspace.rolling import rigid_slip, rolling_contact
 from hh_exudyn.contact.halfspace.subsurface import stress_below
@@ -77,7 +77,7 @@ def _hertz() -> list[Comparison]:
     a = (0.75 * load * radius / modulus) ** (1.0 / 3.0)
     peak, approach = 1.5 * load / (math.pi * a * a), a * a / radius
     influence = Influence(Grid(45, 45, 2.2 * a / 45, 2.2 * a / 45), STEEL)
-    overlap = -(influence.grid.x**2 + influence.grid.y[:, None] ** 2) / (2.0 * radius)
+    overlap = quadratic_overlap(influence.grid, 0.5 / radius, 0.5 / radius)
     given_load = normal_contact(influence, overlap, load=load)
     given_approach = normal_contact(influence, overlap, approach=approach)
     source = "Hertz 1882, closed form"

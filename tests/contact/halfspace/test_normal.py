@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from hh_exudyn.contact.halfspace.influence import Grid, Influence
-from hh_exudyn.contact.halfspace.normal import NormalSolution, normal_contact
+from hh_exudyn.contact.halfspace.normal import NormalSolution, normal_contact, quadratic_overlap
 from hh_exudyn.contact.hertz import hertz_patch
 from hh_exudyn.contact.material import STEEL
 
@@ -17,8 +17,7 @@ def ellipsoid(along: float, across: float, cells: int = 45) -> tuple[Influence, 
     """Grid around Hertz's ellipse, overlap at approach zero, and the ellipse itself."""
     patch = hertz_patch(LOAD, along, across, STEEL)
     influence = Influence(Grid(cells, cells, 2.2 * patch.a / cells, 2.2 * patch.b / cells), STEEL)
-    x, y = np.meshgrid(influence.grid.x, influence.grid.y)
-    return influence, -along * x**2 - across * y**2, patch
+    return influence, quadratic_overlap(influence.grid, along, across), patch
 
 
 def conditions(influence: Influence, overlap: np.ndarray, found: NormalSolution, limit: float) -> float:
@@ -87,8 +86,7 @@ def test_mirrored_and_scaled() -> None:
 def test_a_limit_of_pressure_keeps_the_load(share: float) -> None:
     _, _, patch = ellipsoid(1.0, 1.0)
     wide = Influence(Grid(45, 45, 3.2 * patch.a / 45, 3.2 * patch.b / 45), STEEL)
-    x, y = np.meshgrid(wide.grid.x, wide.grid.y)
-    overlap = -(x**2) - y**2
+    overlap = quadratic_overlap(wide.grid, 1.0, 1.0)
     free = normal_contact(wide, overlap, load=LOAD)
     limit = share * free.pressure.max()
     found = normal_contact(wide, overlap, load=LOAD, limit=limit)
