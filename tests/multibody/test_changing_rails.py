@@ -38,9 +38,13 @@ def columns(run: Run) -> dict[str, np.ndarray]:
 
 
 def slope_misfit(rows: dict[str, np.ndarray], inside: np.ndarray, table: SplineTable) -> float:
-    """Largest difference of the logged contact angles from the slope of a rail where they are logged."""
+    """Mean difference of the logged contact angles from the slope of a rail where they are logged.
+
+    The angle is that of the strips' resultant, between wheel and rail, at the centre of load: on these treads
+    within a milliradian of the rail's in the mean.
+    """
     places = zip(rows["y_rail"][inside], rows["contact_angle"][inside], strict=True)
-    return max(abs(np.arctan(spline_evaluate(table, y)[1]) + angle) for y, angle in places)
+    return float(np.mean([abs(np.arctan(spline_evaluate(table, y)[1]) + angle) for y, angle in places]))
 
 
 def test_each_rail_where_it_lies(demo: Case, runs: Path) -> None:
@@ -56,9 +60,9 @@ def test_each_rail_where_it_lies(demo: Case, runs: Path) -> None:
     tables = {name: spline_table(rail_profile(name, 1 / 30)) for name in (ONE, OTHER)}
     first, second = rows["s"] <= CHANGE - 1.0, rows["s"] >= CHANGE + 1.0
     assert second.sum() > 50
-    assert slope_misfit(rows, first, tables[ONE]) < 1e-9
-    assert slope_misfit(rows, second, tables[OTHER]) < 1e-9
-    assert slope_misfit(rows, second, tables[ONE]) > 1e-3
+    assert slope_misfit(rows, first, tables[ONE]) < 1e-3
+    assert slope_misfit(rows, second, tables[OTHER]) < 1e-3
+    assert slope_misfit(rows, second, tables[ONE]) > 3e-3
     # the wheel loads pass the ramp without a blow: the rail tops are level
     leading = (rows["wheelset"] == 1) & (rows["patch"] == 0) & (np.abs(rows["s"] - CHANGE) < 1.5)
     assert leading.sum() > 20
