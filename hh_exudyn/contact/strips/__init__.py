@@ -13,6 +13,8 @@ In the order of an evaluation.
 `overlap`           strips inside the rail, their overlap along the normal
 `influence`         displacement of a strip under the load of another
 `loads`             the loads: the complementarity problem
+`edges`             edges of contact within a strip
+`elimination`       a small linear system
 `shape`             half lengths and pressures from the loads
 `creep`             creep forces and tractions by FaStrip, each strip with its own slip
 `pressure`          pressures by a second solution, for logs and damage

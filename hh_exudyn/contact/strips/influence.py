@@ -17,7 +17,11 @@ import numpy as np
 from scipy.special import ellipe, ellipkm1
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.kernel import inlined_kernel
+from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
+from hh_exudyn.contact.types import Memory
+from hh_exudyn.kernel import inlined_kernel, kernel, shaped
+
+CENTRING = 1.07  # factor of the compliance [-]
 
 _END = 8.0  # of the tables; beyond it f = pi/2 (1/t - 1/(8 t^3)) to 1e-5
 _PER_UNIT = 64  # nodes
@@ -114,3 +118,57 @@ def mean_density(t: float, half: float) -> float:
         + ((1.0 - q) * _DENSITY[node, 2] + q * _DENSITY[after, 2]) * spread * spread
     )
     return near if t < _END else far
+
+
+@inlined_kernel
+def own_influence(k: int, modulus: float, state: Memory) -> float:
+    """Displacement of a strip under its own unit load [m/N].
+
+    Parameters
+    ----------
+    k : int
+        The strip.
+    modulus : float
+        G/(1 - nu) [Pa].
+    state : memory
+        As of `influence_of`.
+    """
+    s = shaped(state, (ROWS, CAPACITY))
+    width = s[Row.WIDTH, k]
+    factor = CENTRING * 4.0 / (math.pi * math.pi * modulus * width)
+    return factor * influence_integral(0.5 * width / s[Row.HALF_LENGTH, k])
+
+
+@kernel
+def influence_of(k: int, count: int, modulus: float, state: Memory, row: FloatArray) -> None:
+    """Displacement of all strips under a unit load of strip k [m/N], equation 1 (kernel).
+
+    Parameters
+    ----------
+    k, count : int
+        The strip, and the number of strips with overlap.
+    modulus : float
+        G/(1 - nu) [Pa].
+    state : memory
+        (ROWS, CAPACITY): `ARC`, `WIDTH`, `HALF_LENGTH` in.
+    row : FloatArray
+        (>= count,) out.
+    """
+    s = shaped(state, (ROWS, CAPACITY))
+    inverse = 1.0 / s[Row.HALF_LENGTH, k]
+    width, place = s[Row.WIDTH, k], s[Row.ARC, k]
+    half = 0.5 * width * inverse
+    factor = CENTRING * 2.0 / (math.pi * math.pi * modulus)
+    far, near = factor * inverse, factor / width
+    for j in range(count):
+        t = max(abs(s[Row.ARC, j] - place) * inverse, 2.0 * half)
+        row[j] = far * mean_density(t, half)
+    row[k] = own_influence(k, modulus, state)
+    beside = influence_integral(3.0 * half) - 0.5 * row[k] / near
+    for direction in (-1, 1):  # the strips beside it
+        j = k + direction
+        if 0 <= j < count and abs(s[Row.NUMBER, j] - s[Row.NUMBER, k]) == 1.0:
+            row[j] = near * beside
+            if s[Row.WIDTH, j] != width:
+                t = abs(s[Row.ARC, j] - place) * inverse
+                row[j] = near * (influence_integral(t + half) - influence_integral(t - half))

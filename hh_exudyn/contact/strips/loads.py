@@ -11,6 +11,8 @@ the loads are continuous in the pose, and the problem has one solution. Against 
 a given pose is 4 % too low to 4 % too high after K is taken 6 % larger (`CENTRING`; a wheel on a rail, with
 flange root and flange; measured in tests/contact/strips).
 
+The solution of (1) has its edges at borders of strips, and crosses a strip in steps: `edges` makes up for it.
+
 The second pass is for the pressure alone: its half lengths are those of the first solution. It loses what
 makes the force continuous and monotone, so forces never come from it.
 
@@ -22,12 +24,13 @@ import math
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.strips.influence import influence_integral, mean_density
+from hh_exudyn.contact.strips.edges import soften_edges
+from hh_exudyn.contact.strips.elimination import eliminate
+from hh_exudyn.contact.strips.influence import influence_of
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
 from hh_exudyn.contact.types import Memory
 from hh_exudyn.kernel import kernel, memory, shaped
 
-CENTRING = 1.06  # factor of the compliance [-]
 _LENGTH = 0.6  # A a^2 / d: 0.73 for a/b = 0.4, 0.5 for a circle, 0.38 for a/b = 10
 _GUESS = 0.45  # of the largest overlap around; of an ellipse 0.5 to 0.6 is pressed away
 _BLOCK_ROUNDS = 10  # in which many strips change at once; then one at a time, which always ends
@@ -103,7 +106,7 @@ def _solve_loads(
                 numbers[n] = j
                 n += 1
                 if known[j] == 0.0:
-                    _influence_of(j, count, modulus, state, influences[j])
+                    influence_of(j, count, modulus, state, influences[j])
                     known[j] = 1.0
         _solve(n, numbers, influences, state, matrix, loads)
         one = rounds >= _BLOCK_ROUNDS
@@ -131,6 +134,7 @@ def _solve_loads(
                 guess[np.uint64(s[Row.NUMBER, j])] = active[j]
             for r in range(n):
                 s[Row.LOAD, np.uint64(numbers[r])] = loads[r]
+            soften_edges(count, modulus, influences, known, residual, matrix, state)
             return True
     return False
 
@@ -157,30 +161,6 @@ def _start(count: int, guess: FloatArray, state: Memory, active: FloatArray) -> 
 
 
 @kernel
-def _influence_of(k: int, count: int, modulus: float, state: Memory, row: FloatArray) -> None:
-    """Displacement of all strips under a unit load of strip k [m/N] (equation 1 of `influence`)."""
-    s = shaped(state, (ROWS, CAPACITY))
-    inverse = 1.0 / s[Row.HALF_LENGTH, k]
-    width, place = s[Row.WIDTH, k], s[Row.ARC, k]
-    half = 0.5 * width * inverse
-    factor = CENTRING * 2.0 / (math.pi * math.pi * modulus)
-    far, near = factor * inverse, factor / width
-    for j in range(count):
-        t = max(abs(s[Row.ARC, j] - place) * inverse, 2.0 * half)
-        row[j] = far * mean_density(t, half)
-    own = influence_integral(half)
-    beside = influence_integral(3.0 * half) - own
-    row[k] = near * 2.0 * own
-    for direction in (-1, 1):  # the strips beside it
-        j = k + direction
-        if 0 <= j < count and abs(s[Row.NUMBER, j] - s[Row.NUMBER, k]) == 1.0:
-            row[j] = near * beside
-            if s[Row.WIDTH, j] != width:
-                t = abs(s[Row.ARC, j] - place) * inverse
-                row[j] = near * (influence_integral(t + half) - influence_integral(t - half))
-
-
-@kernel
 def _solve(
     n: int,
     numbers: FloatArray,
@@ -189,22 +169,11 @@ def _solve(
     matrix: FloatArray,
     loads: FloatArray,
 ) -> None:
-    """Loads of the strips in contact: Gauss's elimination; the diagonal is the largest of every column."""
+    """Loads of the strips in contact."""
     s = shaped(state, (ROWS, CAPACITY))
     for r in range(n):
         here = np.uint64(numbers[r])
         for c in range(n):
             matrix[r, c] = influences[np.uint64(numbers[c]), here]
         loads[r] = s[Row.OVERLAP, here]
-    for k in range(n):
-        inverse = 1.0 / matrix[k, k]
-        for r in range(k + 1, n):
-            factor = matrix[r, k] * inverse
-            for c in range(k + 1, n):
-                matrix[r, c] -= factor * matrix[k, c]
-            loads[r] -= factor * loads[k]
-    for k in range(n - 1, -1, -1):
-        value = loads[k]
-        for c in range(k + 1, n):
-            value -= matrix[k, c] * loads[c]
-        loads[k] = value / matrix[k, k]
+    eliminate(n, matrix, loads)

@@ -24,6 +24,7 @@ from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
 from hh_exudyn.contact.types import Memory
 from hh_exudyn.kernel import inlined_kernel, kernel, shaped
 
+_OF_A_STRIP = 1.0 / 30.0  # variance within a strip over its width squared; an even load's is 1/12
 _FIRST, _LAST, _INTERVALS = -12.0, 16.0, 560  # ln of 2 q_max/(pi E A b^2) in the table
 
 
@@ -127,7 +128,7 @@ def _ellipse_around(j: int, first: int, last: int, modulus: float, state: Memory
             arc, width = s[Row.ARC, k] - origin, s[Row.WIDTH, k]
             total += load
             moment += load * arc
-            second += load * (arc * arc + width * width * (1.0 / 12.0))
+            second += load * (arc * arc + width * width * _OF_A_STRIP)
             curvature += load * s[Row.CURVATURE, k]
             mean_x += load * s[Row.NU_X, k]
             mean_y += load * s[Row.NU_Y, k]
