@@ -5,6 +5,8 @@ a part (`shape`), the friction is the strip's own, and so is the slip. On a flat
 falls across by the spin, nu_x - phi y; on a curved one it follows the rolling radius of every strip, and the
 spin its angle. What a strip's slip differs by from that in the middle of its ellipse takes the place of
 -phi y in the equations (2.43 to 2.46 of Hossein-Nia, KTH 2018), so that on a flat patch they are the same.
+That difference has no mean over the strips' lengths, by which small creep forces go: so the longitudinal force
+is that of the slip at the centre of load, which moves evenly with the pose, unlike the lengths at the edges.
 """
 
 import math
@@ -219,7 +221,7 @@ def _scale_slip(j: int, g: int, lane: int, ellipse: _Ellipse, state: Memory, mar
     s, m = shaped(state, (ROWS, CAPACITY)), shaped(march, SHAPE)
     inverse = 1.0 / max(s[Row.FRICTION, j], _LEAST_FRICTION)
     mean, lateral, phi = s[Row.MEAN_X, j], s[Row.NU_Y, j], s[Row.PHI, j]
-    turn = s[Row.NU_X, j] - mean
+    turn = s[Row.NU_X, j] - s[Row.TURN_X, j]
     stiff = single_stiffness(
         ellipse.stiff_x, ellipse.stiff_y, ellipse.stiff_phi, mean, s[Row.MEAN_Y, j], ellipse.size * phi
     )

@@ -50,7 +50,7 @@ def refine_strips(count: int, modulus: float, state: Memory) -> bool:
         return False
     shape_strips(count, modulus, second)
     for j in range(count):
-        for row in (Row.LOAD, Row.B, Row.PEAK, Row.CENTRE, Row.MEAN_X, Row.MEAN_Y):
+        for row in (Row.LOAD, Row.B, Row.PEAK, Row.CENTRE, Row.MEAN_X, Row.MEAN_Y, Row.TURN_X):
             s[row, j] = t[row, j]
         s[Row.A, j], s[Row.HALF_LENGTH, j] = t[Row.A, j] / CENTRING, t[Row.HALF_LENGTH, j] / CENTRING
         s[Row.PRESSURE, j] = t[Row.PRESSURE, j] * CENTRING if t[Row.LOAD, j] > 0.0 else 0.0

@@ -52,7 +52,7 @@ def axis_ratio(square: float) -> float:
 
 @kernel
 def shape_strips(count: int, modulus: float, state: Memory) -> None:
-    """Fill `HALF_LENGTH` to `PEAK`, `CENTRE`, `MEAN_X` and `MEAN_Y` of the strips that carry load.
+    """Fill `HALF_LENGTH` to `PEAK`, `CENTRE`, `MEAN_X`, `MEAN_Y` and `TURN_X` of the strips that carry load.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def shape_strips(count: int, modulus: float, state: Memory) -> None:
         for j in range(first, last + 1):
             s[Row.CENTRE, j] = 1.0 if one and j > first else 0.0
             if one and j > first:
-                for row in (Row.A, Row.B, Row.PEAK, Row.MEAN_X, Row.MEAN_Y):
+                for row in (Row.A, Row.B, Row.PEAK, Row.MEAN_X, Row.MEAN_Y, Row.TURN_X):
                     s[row, j] = s[row, first]
             else:
                 _ellipse_around(j, first, last, modulus, state)
@@ -113,7 +113,7 @@ def _ellipse_around(j: int, first: int, last: int, modulus: float, state: Memory
     s = shaped(state, (ROWS, CAPACITY))
     here = s[Row.LOAD, j] / s[Row.WIDTH, j]
     total, moment, second, curvature, peak = 0.0, 0.0, 0.0, 0.0, 0.0
-    mean_x, mean_y = 0.0, 0.0
+    mean_x, mean_y, lengths, turn_x = 0.0, 0.0, 0.0, 0.0
     origin = s[Row.ARC, j]
     for direction in (1, -1):
         k = j if direction == 1 else j - 1
@@ -132,6 +132,9 @@ def _ellipse_around(j: int, first: int, last: int, modulus: float, state: Memory
             curvature += load * s[Row.CURVATURE, k]
             mean_x += load * s[Row.NU_X, k]
             mean_y += load * s[Row.NU_Y, k]
+            length = share * math.sqrt(there) * width  # in proportion
+            lengths += length
+            turn_x += length * s[Row.NU_X, k]
             peak = max(peak, share * there)
             k += direction
     inverse = 1.0 / total
@@ -139,4 +142,8 @@ def _ellipse_around(j: int, first: int, last: int, modulus: float, state: Memory
     b = math.sqrt(5.0 * (second * inverse - centre * centre))
     s[Row.A, j] = b * axis_ratio(2.0 * peak / (math.pi * modulus * curvature * inverse * b * b))
     s[Row.B, j], s[Row.PEAK, j] = b, peak
-    s[Row.MEAN_X, j], s[Row.MEAN_Y, j] = mean_x * inverse, mean_y * inverse
+    s[Row.MEAN_X, j], s[Row.MEAN_Y, j], s[Row.TURN_X, j] = (
+        mean_x * inverse,
+        mean_y * inverse,
+        turn_x / lengths,
+    )

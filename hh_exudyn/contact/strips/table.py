@@ -56,7 +56,8 @@ class Row(IntEnum):
     MOMENT_Z = 28
     HEADING = 29  # of the rail at the strip against R [-]
     SLOPE = 30
-    REFINED = 31  # pressure in the strip's middle by the second solution [Pa]: for the records alone
+    TURN_X = 31  # longitudinal creepage in the middle of the ellipse by the strips' lengths [-]: see `creep`
+    REFINED = 32  # pressure in the strip's middle by the second solution [Pa]: for the records alone
 
 
 ROWS = len(Row)

@@ -47,7 +47,11 @@ def flat(patch: RollingPatch, count: int) -> tuple[np.ndarray, np.ndarray]:
     rows[Row.PEAK, used], rows[Row.CENTRE, 1:count] = 0.5 * math.pi * patch.a * peak, 1.0
     rows[Row.NU_X, used] = patch.nu_x - patch.phi * strips[:, 0]
     rows[Row.NU_Y, used], rows[Row.PHI, used] = patch.nu_y, patch.phi
-    rows[Row.MEAN_X, used], rows[Row.MEAN_Y, used] = patch.nu_x, patch.nu_y
+    rows[Row.MEAN_X, used], rows[Row.MEAN_Y, used], rows[Row.TURN_X, used] = (
+        patch.nu_x,
+        patch.nu_y,
+        patch.nu_x,
+    )
     rows[Row.FRICTION, used] = patch.friction
     return rows, strips
 

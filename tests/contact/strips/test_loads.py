@@ -9,8 +9,7 @@ from strip_poses import MODULUS, wheel_and_rail
 
 from hh_exudyn.contact.normal.hertz import hertz_patch
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
-from hh_exudyn.contact.strips.influence import influence_integral
-from hh_exudyn.contact.strips.loads import CENTRING
+from hh_exudyn.contact.strips.influence import CENTRING, influence_integral
 from hh_exudyn.contact.strips.normal import normal_rows
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row, wheel_strips
 
@@ -32,16 +31,24 @@ def test_conditions(outwards: float, lowered: float, yaw: float) -> None:
     influence = (integral((distance + half) / length) - integral((distance - half) / length)) / rows[
         Row.WIDTH
     ]
-    pressed = 2.0 * CENTRING / (np.pi**2 * MODULUS) * influence @ load
+    influence *= 2.0 * CENTRING / (np.pi**2 * MODULUS)
+    gap, own = influence @ load - overlap, np.diag(influence)
+    beside = np.concatenate([[0.0], overlap, [0.0]])
+    apart = np.concatenate([[False], np.diff(rows[Row.NUMBER]) > 1.0, [False]])
+    before, behind = np.where(apart[:-1], 0.0, beside[:-2]), np.where(apart[1:], 0.0, beside[2:])
+    soft = np.maximum(0.8 * np.abs(behind - before) / (2.0 * own), 1e-3)  # e of `edges` [N]
     assert np.all(load >= 0.0)
-    # the kernel takes the mean over distant strips from two derivatives, to 4e-4
-    assert pressed[load > 0.0] == pytest.approx(overlap[load > 0.0], rel=2e-3)
-    assert np.all(pressed[load == 0.0] >= overlap[load == 0.0] * (1.0 - 2e-3))
+    # the kernel takes the mean over distant strips from two derivatives, to 4e-4, and one Newton step
+    noise = 3e-3 * overlap.max() + 0.15 * own * soft
+    assert np.all(gap >= -noise)
+    assert np.all(load * gap <= own * soft**2 / 16.0 + noise * (load + soft))
+    inside = load > 2.0 * soft
+    assert gap[inside] == pytest.approx(0.0, abs=3e-3 * overlap.max())
 
 
 @pytest.mark.parametrize("curvature", [0.2, 0.4, 1.5, 6.0, 25.0])  # [1/m], a/b from 0.33 to 7.5
 def test_hertz(curvature: float) -> None:
-    """At Hertz's approach the force is within 6 %, at his force the pressure within 2 % (asked: 5)."""
+    """At Hertz's approach the force is within 6 %, at his force the pressure within 3.5 % (asked: 5)."""
     load, along = 100e3, 0.5 / 0.46
     exact = hertz_patch(load, along, curvature)
 
@@ -55,4 +62,4 @@ def test_hertz(curvature: float) -> None:
 
     force, pressure = solve(exact.approach)
     assert force == pytest.approx(load, rel=0.06)
-    assert pressure == pytest.approx(hertz_patch(force, along, curvature).max_pressure, rel=0.025)
+    assert pressure == pytest.approx(hertz_patch(force, along, curvature).max_pressure, rel=0.035)

@@ -39,7 +39,7 @@ def contact(case, runs):
 def test_the_log_has_the_friction_of_place_zone_and_slip(contact):
     """Of the wheelsets without grease: smooth over the ramp, Polach's formula over the logged creepage.
 
-    To 1e-6: every strip has the friction of its own ellipse's slip, the row their mean.
+    To 0.2 %: every strip has the friction of its own ellipse's slip, the row their mean.
     """
     fall = falling("polach_dry")
     slip = contact.speed * np.hypot(contact.nu_x, contact.nu_y)
@@ -49,7 +49,7 @@ def test_the_log_has_the_friction_of_place_zone_and_slip(contact):
     for side, (before, behind) in LEVELS.items():
         rows = (contact.side == side) & (contact.wheelset > 1)
         still = climate(before).tread + weight[rows] * (climate(behind).tread - climate(before).tread)
-        assert contact.friction[rows] == pytest.approx(still * reduced[rows], rel=1e-6)
+        assert contact.friction[rows] == pytest.approx(still * reduced[rows], rel=2e-3)
         on_the_ramp = rows & (weight > 0.05) & (weight < 0.95)
         assert on_the_ramp.sum() > 20
     assert reduced.min() < 0.98  # it does fall
@@ -108,8 +108,8 @@ def test_falling_friction_leaves_the_step_as_it_is(case):
 def test_slip_beyond_saturation_on_falling_friction_goes_on(demo, runs):
     """A curve of 250 m: the leading outer flange root slides at 0.1 m/s, within 10 % of the falling bound.
 
-    The force falls with the slip there. (Over 0.3 m/s, as it was, came of ellipses that jumped to the flange.) The run ends by itself, no force exceeds the bound, and the wheels
-    carry the weight.
+    The force falls with the slip there. (Over 0.3 m/s, as it was, came of ellipses that jumped to the
+    flange.) The run ends by itself, no force exceeds the bound, and the wheels carry the weight.
     """
     sections = into_left_curve((15.0, 25.0, 40.0), 250.0, 1445.0)
     tight = demo.with_changes(
@@ -122,7 +122,7 @@ def test_slip_beyond_saturation_on_falling_friction_goes_on(demo, runs):
     used = np.hypot(contact.force_x, contact.force_y) / (contact.friction * contact.normal_force)
     sliding = (slip > 0.08) & (used > 0.9)
     assert sliding.sum() > 50
-    assert contact.friction[sliding].max() < 0.97 * climate("dry").flange
+    assert contact.friction[sliding].max() < 0.98 * climate("dry").flange
     assert used.max() <= 1.0 + 1e-9
     curve = steady(contact, 1.0)
     speed, roll = 60.0 / 3.6, np.arcsin(0.065 / RAIL_TOP_DISTANCE)
