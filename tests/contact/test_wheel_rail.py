@@ -49,7 +49,7 @@ class State:
         self.arc_length = np.zeros(n)
         self.friction = np.full((n, 2), 0.3)
         self.forces = no_forces(n)
-        self.wrench, self.rail_force, self.patches = self.forces
+        self.wrench, self.rail_force, self.patches, _, _ = self.forces
         self.status = -1
 
     def point(self, yaw: float, roll: float = 0.0, i: int = 0) -> None:
@@ -110,7 +110,7 @@ def test_mirrored_states_give_mirrored_forces(normal: str) -> None:
     np.testing.assert_allclose(mirrored.wrench[:, :3], state.wrench[:, :3] * flip, rtol=1e-9, atol=1e-6)
     np.testing.assert_allclose(mirrored.wrench[:, 3:], state.wrench[:, 3:] * axial, rtol=1e-9, atol=1e-6)
     np.testing.assert_allclose(mirrored.rail_force, state.rail_force[:, ::-1] * [-1, 1], rtol=1e-9, atol=1e-6)
-    odd = [Patch.NU_Y, Patch.PHI, Patch.FORCE_Y, Patch.MOMENT_Z]
+    odd = [Patch.NU_Y, Patch.PHI, Patch.FORCE_Y, Patch.MOMENT_Z, Patch.CENTRE_Y]
     swapped = state.patches[:, ::-1].copy()
     swapped[..., odd] *= -1
     np.testing.assert_allclose(mirrored.patches, swapped, rtol=1e-8, atol=1e-9)

@@ -46,7 +46,7 @@ def test_left_and_right_are_mirror_images(settled):
     _, work, _ = settled
     assert np.abs(work.frame_position[:, 1]).max() < 1e-9
     left, right = work.patches[:, 0, 0], work.patches[:, 1, 0]
-    odd = [Patch.NU_Y, Patch.PHI, Patch.FORCE_Y, Patch.MOMENT_Z]
+    odd = [Patch.NU_Y, Patch.PHI, Patch.FORCE_Y, Patch.MOMENT_Z, Patch.CENTRE_Y]
     right[:, odd] *= -1.0
     assert left == pytest.approx(right, rel=1e-6, abs=1e-6)
 
@@ -85,7 +85,7 @@ def test_wheels_roll_and_the_train_hardly_pulls(settled):
     """On straight track only spin creepage and normal damping cost anything: below 10 N of coupler force."""
     _, work, _ = settled
     assert abs(work.ledger[Ledger.COUPLER_FORCE]) < 10.0
-    assert np.abs(work.patches[:, :, 0, Patch.NU_X]).max() < 1e-6
+    assert np.abs(work.patches[:, :, 0, Patch.NU_X]).max() < 1e-5  # strips of unequal radius, in balance
 
 
 def test_a_track_that_begins_in_a_curve_is_refused(demo):

@@ -131,13 +131,13 @@ def test_every_trouble_has_a_reason():
 
 
 def straight(case, damping):
-    """20 km/h on 30 m of straight at the largest step, with this damping of the contacts [s/m].
+    """20 km/h on 30 m of straight at the default step, with this damping of the contacts [s/m].
 
     No sleepers pass: at 9 Hz they meet the pitch of a wagon with stuck wedges, 8 Hz, by 1.5 % of a load.
     """
     return case.with_changes(
         speed_km_h=20.0,
-        integration={"step_ms": 0.5, "output_interval_ms": 0.5},
+        integration={"step_ms": 0.4, "output_interval_ms": 0.4},
         track={
             "sections": [{"kind": "straight", "length_m": 30.0, "gauge_mm": 1445.0}],
             "sleeper_passing": False,
@@ -147,7 +147,7 @@ def straight(case, damping):
 
 
 def test_the_largest_contact_damping_allowed_is_stable(demo, runs):
-    """150 kN x 3 s/m on a rail of 150 kg is h lambda = 1.5 at 0.5 ms: the wheels carry the weight evenly."""
+    """150 kN x 3 s/m on a rail of 150 kg is h lambda = 1.2 at 0.4 ms: the wheels carry the weight evenly."""
     contact = table(simulate(straight(demo, 3.0), runs / "damped"), "contact")
     first = contact.patch == 0
     loads = contact.Q[first].sum() / np.unique(contact.time).size

@@ -5,8 +5,9 @@ a part (`shape`), the friction is the strip's own, and so is the slip. On a flat
 falls across by the spin, nu_x - phi y; on a curved one it follows the rolling radius of every strip, and the
 spin its angle. What a strip's slip differs by from that in the middle of its ellipse takes the place of
 -phi y in the equations (2.43 to 2.46 of Hossein-Nia, KTH 2018), so that on a flat patch they are the same.
-That difference has no mean over the strips' lengths, by which small creep forces go: so the longitudinal force
-is that of the slip at the centre of load, which moves evenly with the pose, unlike the lengths at the edges.
+That difference has no mean over the strips' lengths, by which small creep forces go: so the longitudinal
+force is that of the slip at the centre of load, which moves evenly with the pose, unlike the lengths at the
+edges.
 """
 
 import math
