@@ -9,7 +9,7 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import minimize
 
 from hh_exudyn.contact.geometry import search
-from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
+from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MAXIMA, find_contacts
 from hh_exudyn.contact.geometry.silhouette import wheel_rail_pair
 from hh_exudyn.contact.normal.hertz import normal_contact
 from hh_exudyn.contact.profile import gauge_point, rail_profile, wheel_profile
@@ -33,7 +33,7 @@ class Pair:
         self.rail_y = side * (GAUGE / 2 + gauge_point(rail))
 
     def contacts(self, y: float, z: float, yaw: float = 0.0, roll: float = 0.0) -> np.ndarray:
-        rows = np.zeros((MAX_MINIMA, CONTACT_COLUMNS))
+        rows = np.zeros((MAX_MAXIMA, CONTACT_COLUMNS))
         centre = np.array([0.0, y - self.rail_y, z])
         pair = wheel_rail_pair(WHEEL, self.rail, self.side, D, R0, centre, axle(yaw, roll))
         return rows[: find_contacts(pair, rows)]
