@@ -3,7 +3,7 @@
 A patch lies where the overlap along the normal (`normal_overlap`) has a local maximum above zero; between
 two of one region lies a saddle. The gap is taken at all nodes of the wheel above the rail, from the field
 side to the flange, and the rise of the overlap where it is closed; each change of its sign is then refined.
-Two changes between two nodes are looked for where the rise comes near to zero.
+Where the rise turns near to zero, changes between two nodes are looked for in parts.
 
 Sharing. Where two maxima lie in one region of overlap, with the saddle s between their overlaps d1 and d2,
 both patches are there for the same material. With the prominences p = d - s, patch 1 carries the fraction
@@ -57,7 +57,7 @@ BEYOND = 18
 CONTACT_COLUMNS = 19
 
 MAX_MAXIMA = 12  # of one wheel, in the rows of the working memory; standard profiles have up to 4
-_PARTS = 16  # of an interval in which two zeros may lie; a maximum missed then stands out by 0.1 nm
+_PARTS = 16  # of an interval in which more zeros may lie: a maximum that is missed stands out by 1 nm
 _JOINED = -1.0  # in place of a saddle that has been dealt with
 
 
@@ -146,11 +146,10 @@ def _extrema(
     found = _Found(rows, 0.0, 0.0)
     width = pair.wheel.step
     for k in range(count - 1):
-        parts = 1
-        if (rise[k] > 0.0) == (rise[k + 1] > 0.0):
-            if k == 0 or k == count - 2 or not _comes_near_zero(rise[k - 1 : k + 3]):
-                continue
-            parts = _PARTS
+        doubtful = 0 < k < count - 2 and _may_turn_at_zero(rise[k - 1 : k + 3])
+        if not doubtful and (rise[k] > 0.0) == (rise[k + 1] > 0.0):
+            continue
+        parts = _PARTS if doubtful else 1
         start = pair.wheel.start + (first + k) * width
         low, at_low = start, rise[k]
         for part in range(1, parts + 1):
@@ -164,16 +163,16 @@ def _extrema(
 
 
 @inlined_kernel
-def _comes_near_zero(values: FloatArray) -> bool:
-    """Whether a curve through four nodes, of one sign at the inner two, may change it twice in between.
+def _may_turn_at_zero(values: FloatArray) -> bool:
+    """Whether a curve through four nodes turns at or between the inner two, and so near to zero.
 
-    It may where straight lines through the outer pairs, carried on, both reach zero inside.
+    There it may cross zero more than once. From a node to the vertex of a parabola it is at most 1/8 of the
+    largest step; where profiles bend sharply within a node spacing, on a flange, 1/3 has been seen.
     """
-    low, high = values[1], values[2]
-    from_low, from_high = values[0] - low, values[3] - high
-    if (from_low > 0.0) != (low > 0.0) or (from_high > 0.0) != (low > 0.0):
+    first, middle, last = values[1] - values[0], values[2] - values[1], values[3] - values[2]
+    if (first > 0.0) == (middle > 0.0) and (middle > 0.0) == (last > 0.0):
         return False
-    return low / from_low + high / from_high < 1.0
+    return min(abs(values[1]), abs(values[2])) < 0.5 * max(abs(first), abs(middle), abs(last))
 
 
 @inlined_kernel

@@ -7,7 +7,7 @@ import pytest
 from strip_bench import NU, RADIUS, G
 
 from hh_exudyn.contact.geometry.rail_tables import rail_at
-from hh_exudyn.contact.geometry.search import APPROACH, CONTACT_COLUMNS, DEPTH, MAX_MAXIMA, POINT, STIFFNESS
+from hh_exudyn.contact.geometry.search import APPROACH, CONTACT_COLUMNS, MAX_MAXIMA, OVERLAP, POINT, STIFFNESS
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, wheel_rail_pair
 from hh_exudyn.contact.normal.neighbours import find_patches
 from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
@@ -89,7 +89,7 @@ def test_neighbour_presses_down(normal: str) -> None:
     compliance = (1 - NU) / (math.pi * G)
     assert len(rows) == 2
     for k, j in ((0, 1), (1, 0)):
-        rigid = rows[k, DEPTH] * math.cos(rows[k, 2])
+        rigid = rows[k, OVERLAP]
         pressed = rigid - rows[k, APPROACH]
         distance = np.linalg.norm(rows[k, POINT : POINT + 3] - rows[j, POINT : POINT + 3])
         tilt = math.cos(rows[k, 2] - rows[j, 2])
