@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.rail_tables import rail_at
-from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS, Y_WHEEL
+from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MAXIMA, STIFFNESS, Y_WHEEL
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette, wheel_rail_pair
 from hh_exudyn.contact.normal.neighbours import find_patches
 from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
@@ -285,7 +285,7 @@ def traction_on_shape(
 def _solve(model: WheelRailModel, state: State, rows: FloatArray) -> tuple[float, float]:
     """Find the height of the wheelset that gives the logged approach; fill the strips, return a and b."""
     low, middle, slope = _pair(model, state)
-    contacts = np.zeros((MAX_MINIMA, CONTACT_COLUMNS))
+    contacts = np.zeros((MAX_MAXIMA, CONTACT_COLUMNS))
 
     def solve(height: float) -> tuple[float, float, float, float]:
         """Approach, distance from the logged place, a, b of the patch nearest to that place."""

@@ -16,7 +16,7 @@ Memory = Any  # of `kernel.memory`
 class SplineTable(NamedTuple):
     """A profile z(y) as a cubic spline on a uniform grid, in side coordinates.
 
-    Value, slope and second derivative are continuous. Outside the grid there is no profile. The last three
+    Value, slope and second derivative are continuous. Outside the grid there is no profile. The last two
     fields follow from the others: the contact search would otherwise compute them again and again.
     """
 
@@ -26,7 +26,6 @@ class SplineTable(NamedTuple):
     second: FloatArray  # (n,) second derivatives d2z/dy2 at the nodes [1/m]
     per_step: float  # 1 / step [1/m]
     slope: FloatArray  # (n,) slopes at the nodes [-]
-    bounds: FloatArray  # (levels, n, 2) least and largest second derivative from node i to node i + 2^level
 
 
 class WheelStrips(NamedTuple):
@@ -50,7 +49,6 @@ class RailTables(NamedTuple):
     change_length: float  # of every change from profile to profile [m]
     # few arrays: the whole model is copied where a kernel is called that is not inlined
     nodes: FloatArray  # (profiles, 3, n) z, second, slope as of `SplineTable`
-    bounds: FloatArray  # (profiles, levels, n, 2)
     sections: FloatArray  # (sections, 4) columns of `rail_tables`: profile, its first node, gauge point; end
 
 

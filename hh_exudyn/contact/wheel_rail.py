@@ -19,7 +19,7 @@ import numpy as np
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.friction import FrictionTable
 from hh_exudyn.contact.geometry.rail_tables import RailCourse, rail_at, rail_tables
-from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
+from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MAXIMA, find_contacts
 from hh_exudyn.contact.geometry.silhouette import wheel_rail_pair
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.normal.neighbours import find_patches
@@ -180,7 +180,7 @@ def wheel_rail_forces(
     int
         0, or 1 + 2 * wheelset + side index of the first wheel with a state or force that is not finite.
     """
-    contacts = np.empty((MAX_MINIMA, CONTACT_COLUMNS))
+    contacts = np.empty((MAX_MAXIMA, CONTACT_COLUMNS))
     strips = np.empty((model.cells_y, STRIP_COLUMNS))
     centre, axle = np.empty(3), np.empty(3)
     forces.wrench[:] = 0.0

@@ -15,7 +15,7 @@ from straight_rails import no_forces, straight_rails
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.friction import FrictionTable, constant_friction
 from hh_exudyn.contact.geometry.rail_tables import rail_at
-from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
+from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MAXIMA, find_contacts
 from hh_exudyn.contact.geometry.silhouette import wheel_rail_pair
 from hh_exudyn.contact.profile import rail_profile, wheel_profile
 from hh_exudyn.contact.state import Patch
@@ -133,7 +133,7 @@ def test_search(benchmark: Callable[..., Any], place: str) -> None:
     model, motion, rails, *_ = arguments
     centre, axle, rail_y = motion.position[0], motion.axle[0], rails.position[0, 0, 0]
     rail, _ = rail_at(model.rails_left, 0.0)
-    rows = np.zeros((MAX_MINIMA, CONTACT_COLUMNS))
+    rows = np.zeros((MAX_MAXIMA, CONTACT_COLUMNS))
     tables = model.wheel_left, rail
     many_searches(*tables, rail_y, centre, axle, amplitude, rows, 1)
     assert benchmark(many_searches, *tables, rail_y, centre, axle, amplitude, rows, CALLS) >= CALLS

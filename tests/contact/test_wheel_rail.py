@@ -49,7 +49,7 @@ class State:
         self.arc_length = np.zeros(n)
         self.friction = np.full((n, 2), 0.3)
         self.forces = no_forces(n)
-        self.wrench, self.rail_force, self.patches, _, _ = self.forces
+        self.wrench, self.rail_force, self.patches, *_ = self.forces
         self.status = -1
 
     def point(self, yaw: float, roll: float = 0.0, i: int = 0) -> None:

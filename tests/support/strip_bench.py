@@ -3,7 +3,7 @@
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, STIFFNESS
+from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MAXIMA, STIFFNESS
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, wheel_rail_pair
 from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.normal.hertz import HertzPatch, hertz_patch
@@ -34,7 +34,7 @@ def parabolic_pair(wheel: float, rail: float, approach: float) -> WheelRailPair:
 
 def solve_one(normal: int, pair: WheelRailPair, strips: int) -> tuple[tuple[float, ...], FloatArray]:
     """Force, largest pressure, a and b of the only patch, and its strips."""
-    contacts, rows = np.zeros((MAX_MINIMA, CONTACT_COLUMNS)), np.zeros((strips, STRIP_COLUMNS))
+    contacts, rows = np.zeros((MAX_MAXIMA, CONTACT_COLUMNS)), np.zeros((strips, STRIP_COLUMNS))
     assert find_patches(normal, pair, contacts, G, NU, rows) == 1
     low = minimum(normal, pair, contacts[0], G, NU)
     return patch_strips(pair, contacts[0], low, contacts[0, STIFFNESS], rows)[:4], rows

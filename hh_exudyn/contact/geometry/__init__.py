@@ -3,7 +3,7 @@
 ===================  ================================================================================
 `silhouette`         the line on which a rolled and yawed wheel can touch a prismatic rail
 `search`             all contact patches of a wheel on its rail, for a full pose of the wheelset
-`gap_interval`       bounds of the gap between two nodes: no contact is missed
+`normal_overlap`     overlap of wheel and rail along the normal, its derivative and its extrema
 `rail_tables`        the rail of one side along the track, changing from profile to profile
 `functions`          rolling radius difference and equivalent conicity of EN 15302
 `contact_geometry`   tables of how a wheel touches a rail over its lateral displacement

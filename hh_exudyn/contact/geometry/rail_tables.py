@@ -111,7 +111,6 @@ def rail_tables(course: RailCourse, smoothing: float) -> RailTables:
         per_step=tables[0].per_step,
         change_length=course.change_length,
         nodes=np.stack([np.stack([table.z, table.second, table.slope]) for table in tables]),
-        bounds=np.stack([table.bounds for table in tables]),
         sections=np.array(
             [
                 (rows[i], tables[rows[i]].start, points[rows[i]], end)
@@ -168,11 +167,8 @@ def rail_at(rails: RailTables, s: float) -> tuple[SplineTable, float]:
     if share > 0.0:
         return _blended(rails, section, share)
     place = rails.sections[section]
-    k = int(place[_PROFILE])
-    nodes = rails.nodes[k]
-    table = SplineTable(
-        place[_START], rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE], rails.bounds[k]
-    )
+    nodes = rails.nodes[int(place[_PROFILE])]
+    table = SplineTable(place[_START], rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE])
     return table, place[_GAUGE_POINT]
 
 
@@ -232,9 +228,7 @@ def _slope_of_change(rails: RailTables, section: int, share: float, s: float, y:
 def _from_first_node(rails: RailTables, k: int) -> SplineTable:
     """A profile with the origin of y in its first node."""
     nodes = rails.nodes[k]
-    return SplineTable(
-        0.0, rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE], rails.bounds[k]
-    )
+    return SplineTable(0.0, rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE])
 
 
 @inlined_kernel
@@ -254,14 +248,12 @@ def _section_at(sections: FloatArray, length: float, s: float) -> tuple[int, flo
 
 @kernel
 def _blended(rails: RailTables, section: int, share: float) -> tuple[SplineTable, float]:
-    """Equation 1 of a section and the next. Bounds of a sum lie within the sum of the bounds."""
+    """Equation 1 of a section and the next."""
     one, other = rails.sections[section], rails.sections[section + 1]
     rest = 1.0 - share
     nodes = rest * rails.nodes[int(one[_PROFILE])] + share * rails.nodes[int(other[_PROFILE])]
-    # where nothing is known of either, the bounds are infinite, and so is their sum
-    bounds = rest * rails.bounds[int(one[_PROFILE])] + share * rails.bounds[int(other[_PROFILE])]
     start = rest * one[_START] + share * other[_START]
-    table = SplineTable(start, rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE], bounds)
+    table = SplineTable(start, rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE])
     return table, rest * one[_GAUGE_POINT] + share * other[_GAUGE_POINT]
 
 

@@ -77,7 +77,7 @@ def lowest_gap(pair: WheelRailPair) -> tuple[float, float]:
     gaps = np.empty(n)
     smallest = math.inf
     for i in range(n):
-        gaps[i], _, _, _, _, _ = gap_at(pair, pair.wheel.start + i * pair.wheel.step)
+        gaps[i], _, _, _, _ = gap_at(pair, pair.wheel.start + i * pair.wheel.step)
         if gaps[i] < smallest:
             smallest = gaps[i]
     best, best_y = math.inf, math.nan
@@ -170,7 +170,7 @@ def wheel_contact(standing: StandingWheel, lateral: float, roll: float, row: Flo
     pair = posed_pair(standing, lateral, roll)
     gap, y_wheel = lowest_gap(pair)
     z, slope, second = spline_evaluate(pair.wheel, y_wheel)
-    _, _, _, y_rail, slope_rail, second_rail = gap_at(pair, y_wheel)
+    _, _, y_rail, slope_rail, second_rail = gap_at(pair, y_wheel)
     row[Y_WHEEL] = y_wheel
     row[Y_RAIL] = y_rail
     row[RADIUS] = standing.radius - z

@@ -9,7 +9,7 @@ R' = dR/dt, the outward normal is along e - R' l (l axle direction, e radial uni
 which fixes e (its lower branch): a flange touches ahead of the axle when the wheelset has an angle of attack.
 Over the lateral coordinate these points are the wheel's silhouette, its slope is dz/dy = -n.y/n.z of the
 same normal. The vertical gap between silhouette and rail has its local minima just where their slopes are
-equal.
+equal: there a rigid wheel touches. Where it overlaps the rail, `normal_overlap` says how far.
 """
 
 import math
@@ -19,6 +19,9 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.contact.types import SplineTable
 from hh_exudyn.kernel import inlined_kernel
+
+_DEEPEST = 0.05  # m, radius of a flange tip less that of the running circle, at most
+_MORE = 1e-3  # m, for the cosine of roll and yaw
 
 
 class WheelRailPair(NamedTuple):
@@ -102,7 +105,47 @@ def silhouette(
 
 
 @inlined_kernel
-def gap_at(pair: WheelRailPair, y_wheel: float) -> tuple[float, float, float, float, float, float]:
+def silhouette_rates(pair: WheelRailPair, z: float, slope: float, second: float) -> tuple[float, float]:
+    """How the silhouette runs along the wheel profile.
+
+    Parameters
+    ----------
+    pair : WheelRailPair
+        Wheel and pose.
+    z, slope, second : float
+        Height and derivatives of the wheel profile [m], [-], [1/m].
+
+    Returns
+    -------
+    lateral : float
+        Derivative of the silhouette's lateral place over that on the profile [-], 1 where the wheelset
+        neither yaws nor rolls.
+    turn : float
+        Derivative of the silhouette's slope angle over the place on the profile [1/m].
+    """
+    ly, lz = pair.axle_y, pair.axle_z
+    steepness = pair.side * slope
+    square = 1.0 + slope * slope
+    root = math.sqrt(1.0 - steepness * steepness * pair.ratio)
+    inverse = 1.0 / (square * root)
+    ey = pair.root * root * lz - steepness * pair.ratio * ly
+    bend = pair.ratio * second * (ly + lz * pair.root * steepness * square * inverse)
+    return ly + steepness * ey + (pair.nominal_radius - z) * bend, second * pair.root * inverse
+
+
+@inlined_kernel
+def above_rail(pair: WheelRailPair) -> tuple[float, float]:
+    """Between which places of the wheel profile it may lie above the rail's table, within millimetres [m]."""
+    middle = -pair.side * pair.centre_y - pair.distance * pair.axle_y
+    middle -= pair.side * pair.nominal_radius * pair.root * pair.axle_z  # about y of the running circle
+    # of the slopes up to 5, and of the radius, which this estimate has left out
+    margin = 5.0 * pair.nominal_radius * pair.ratio + _DEEPEST * abs(pair.axle_z) + _MORE
+    end = pair.rail.start + pair.rail.step * (pair.rail.z.size - 1)
+    return pair.rail.start - middle - margin, end - middle + margin
+
+
+@inlined_kernel
+def gap_at(pair: WheelRailPair, y_wheel: float) -> tuple[float, float, float, float, float]:
     """Vertical gap between silhouette and rail at a point of the wheel profile.
 
     Returns
@@ -110,23 +153,12 @@ def gap_at(pair: WheelRailPair, y_wheel: float) -> tuple[float, float, float, fl
     gap : float
         Negative for interpenetration [m]; NaN (like the rest) outside the profiles.
     difference : float
-        Slope of the silhouette less slope of the rail: the derivative of the gap along y [-].
-    rate : float
-        Its derivative with the roll of the wheelset left out: it guides the searches only [1/m].
+        Slope of the silhouette less slope of the rail: zero where the gap has an extremum [-].
     y_rail, rail_slope, rail_second : float
         Position on the rail profile and its derivatives there.
     """
-    z, slope, second = spline_evaluate(pair.wheel, y_wheel)
-    return gap_below(pair, y_wheel, z, slope, second)
-
-
-@inlined_kernel
-def gap_below(
-    pair: WheelRailPair, y_wheel: float, z: float, slope: float, second: float
-) -> tuple[float, float, float, float, float, float]:
-    """`gap_at` for a point with known height and derivatives on the wheel profile."""
+    z, slope, _ = spline_evaluate(pair.wheel, y_wheel)
     _, py, pz, slope_wheel = silhouette(pair, y_wheel, z, slope)
     y_rail = -pair.side * (pair.centre_y + py)
     z_rail, slope_rail, second_rail = spline_evaluate(pair.rail, y_rail)
-    gap = pair.centre_z + pz - z_rail
-    return gap, slope_wheel - slope_rail, second - second_rail, y_rail, slope_rail, second_rail
+    return pair.centre_z + pz - z_rail, slope_wheel - slope_rail, y_rail, slope_rail, second_rail

@@ -2,7 +2,7 @@
 
 A non-elliptic patch is made of strips in rolling direction. They need the gap curve over the lateral
 coordinate s of the contact plane, taken exactly from both profiles instead of from their curvatures at one
-point: zero at the point of deepest interpenetration.
+point: the overlap of `normal_overlap` less its largest value, so zero there and positive around it.
 
 All is in side coordinates, so left and right wheels give the same numbers.
 """
@@ -10,6 +10,7 @@ All is in side coordinates, so left and right wheels give the same numbers.
 import math
 from typing import NamedTuple
 
+from hh_exudyn.contact.geometry.normal_overlap import mean_normal
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette
 from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.kernel import inlined_kernel
@@ -18,7 +19,7 @@ _STEEPEST = 0.17  # cosine of 80 degrees to the contact plane: nothing further r
 
 
 class Minimum(NamedTuple):
-    """The point of deepest interpenetration, and the quantities that the strips around it share."""
+    """The point of largest overlap, and the quantities that the strips around it share."""
 
     normal: int  # a value of `normal.registry.NORMAL_THEORIES`
     y_wheel: float  # side coordinates [m]
@@ -41,16 +42,12 @@ class Minimum(NamedTuple):
 def gap_curve(pair: WheelRailPair, low: Minimum, y_wheel: float) -> tuple[float, float, float]:
     """Gap and curvature at one lateral position of a contact.
 
-    From a point of the rail, the wheel is reached along the normal n of the contact plane after the distance
-    (vertical gap) / (cos(gamma) - slope sin(gamma)), with the slope of the wheel there: exact as far as the
-    wheel is straight over that distance, which is of the order of the approach.
-
     Parameters
     ----------
     pair : WheelRailPair
         Profiles and pose.
     low : Minimum
-        The point of deepest interpenetration.
+        The point of largest overlap.
     y_wheel : float
         Lateral position on the wheel profile [m].
 
@@ -59,23 +56,22 @@ def gap_curve(pair: WheelRailPair, low: Minimum, y_wheel: float) -> tuple[float,
     s : float
         Lateral coordinate in the contact plane from that point, towards the track centre [m].
     gap : float
-        Interpenetration along the normal, the deepest less that here [m].
+        Overlap along the normal, the largest less that here [m].
     curvature : float
         Half the sum of the lateral curvatures there [1/m].
-        All NaN outside the profiles and where the wheel turns away from the contact plane.
+        All NaN outside the profiles and where they turn away from the contact plane.
     """
     z_wheel, slope, second = spline_evaluate(pair.wheel, y_wheel)
     _, py, pz, slope_wheel = silhouette(pair, y_wheel, z_wheel, slope)
     y_rail = -pair.side * (pair.centre_y + py)
     z_rail, slope_rail, second_rail = spline_evaluate(pair.rail, y_rail)
-    projection = low.cosine - slope_wheel * low.sine
-    if not projection > _STEEPEST:
+    cosine, sine = mean_normal(slope_wheel, slope_rail)
+    if not cosine * low.cosine + sine * low.sine > _STEEPEST:
         return math.nan, math.nan, math.nan
-    vertical = pair.centre_z + pz - z_rail
     wheel_square, rail_square = 1.0 + slope * slope, 1.0 + slope_rail * slope_rail
     return (
         (y_rail - low.y_rail) * low.cosine - (z_rail - low.z_rail) * low.sine,
-        low.depth + vertical / projection,
+        low.depth + (pair.centre_z + pz - z_rail) * cosine,
         0.5
         * (
             second / (wheel_square * math.sqrt(wheel_square))

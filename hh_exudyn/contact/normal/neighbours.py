@@ -1,24 +1,24 @@
 """Patches of one wheel near one another: the division of strips, and their interaction (kernels).
 
-Cuts. Where two minima lie in one region of interpenetration, each owns its side of a cut, so that nothing is
-counted twice (sharing a force by weights, as `search` does for ellipses, would count strips twice). With the
-depths d1 >= d2 of the minima, s and y_s of the saddle between them, the prominences p = d - s and
+Cuts. Where two maxima lie in one region of overlap, each owns its side of a cut, so that nothing is counted
+twice (sharing a force by weights, as `search` does for ellipses, would count strips twice). With the
+overlaps d1 >= d2 of the maxima, s and y_s of the saddle between them, the prominences p = d - s and
 t = 2 p2/(p1 + p2), the shallower patch ends at
 
     y_s + (s/d2) (1 - t) (y_e - y_s)                                                                     (1)
 
-where y_e is its far edge: separate regions (s = 0) are whole, a minimum that fades out (p2 -> 0) loses its
+where y_e is its far edge: separate regions (s = 0) are whole, a maximum that fades out (p2 -> 0) loses its
 patch to the other, and two alike (t = 1) meet at the saddle. The deeper patch ends there too if it has grown
-over the shallower minimum, and at the saddle where it just reaches that: s/d2 in (1) is replaced by
+over the shallower maximum, and at the saddle where it just reaches that: s/d2 in (1) is replaced by
 inside(y_s)/inside(y_2), with `inside` of the deeper patch's own strips there. So edges, and hence the forces,
 are continuous functions of the pose.
 
 Interaction. A patch presses down the surface beside it, so its neighbour carries less than it would alone.
-The approach of patch i is its rigid interpenetration less the displacement of two half-spaces under the
+The approach of patch i is its rigid overlap d_i less the displacement of two half-spaces under the
 forces of the others (Boussinesq; K.L. Johnson, Contact Mechanics, 1985, equation 3.22a), each standing at its
 centre of pressure,
 
-    delta_i = d_i cos(gamma_i) - c max(0, sum over j of N_j cos(gamma_j - gamma_i)/r_ij - N'_i/r'_i)     (2)
+    delta_i = d_i - c max(0, sum over j of N_j cos(gamma_j - gamma_i)/r_ij - N'_i/r'_i)     (2)
 
 with c = (1 - nu)/(pi G). Kik and Piotrowski's pressure comes from the displacement under the whole patch; of
 a patch that is cut, the part N'_i beyond the cut, at r'_i, is in there already. ANALYN's strips know of no
@@ -33,16 +33,16 @@ from hh_exudyn.contact.geometry.search import (
     APPROACH,
     BEYOND,
     CONTACT_ANGLE,
-    DEPTH,
     FORCE,
     LIMIT_HIGH,
     LIMIT_LOW,
+    OVERLAP,
     POINT,
     SADDLE,
     SADDLE_Y,
     STIFFNESS,
     Y_WHEEL,
-    find_minima,
+    find_maxima,
     sort_by_approach,
 )
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair
@@ -65,7 +65,7 @@ def find_patches(
     poisson_ratio: float,
     strips: FloatArray,
 ) -> int:
-    """Find the minima of all patches and how far each may reach (kernel: trusts its input).
+    """Find the places of all patches and how far each may reach (kernel: trusts its input).
 
     Parameters
     ----------
@@ -74,7 +74,8 @@ def find_patches(
     pair : WheelRailPair
         Profiles and pose.
     contacts : FloatArray
-        (MAX_MINIMA, CONTACT_COLUMNS) out: rows as of `search.find_minima` with their limits, deepest first.
+        (MAX_MAXIMA, CONTACT_COLUMNS) out: rows as of `search.find_maxima` with their limits, largest
+        approach first.
     shear_modulus, poisson_ratio : float
         [Pa], [-].
     strips : FloatArray
@@ -85,7 +86,7 @@ def find_patches(
     int
         Number of patches, at most MAX_PATCHES.
     """
-    count = find_minima(pair, contacts)
+    count = find_maxima(pair, contacts)
     end = _end(pair)
     for k in range(count):
         contacts[k, LIMIT_LOW], contacts[k, LIMIT_HIGH] = pair.wheel.start, end
@@ -133,7 +134,7 @@ def _press_on_each_other(
                 if j != k:
                     tilt = math.cos(solved[j, CONTACT_ANGLE] - row[CONTACT_ANGLE])
                     pressed += tilt * solved[j, FORCE] / _distance(solved[j, POINT:], row[POINT:])
-            approach = row[DEPTH] * math.cos(row[CONTACT_ANGLE]) - max(0.0, compliance * pressed)
+            approach = row[OVERLAP] - max(0.0, compliance * pressed)
             row[APPROACH] += _RELAXATION * (approach - row[APPROACH])
 
 
@@ -196,32 +197,29 @@ def _cut(
     shear_modulus: float,
     poisson_ratio: float,
 ) -> None:
-    """Part minima that share a region of interpenetration (equation 1)."""
+    """Part maxima that share a region of overlap (equation 1)."""
     for k in range(1, count):
         saddle, y_saddle = contacts[k, SADDLE], contacts[k, SADDLE_Y]
         if saddle <= 0.0:
             continue
         lower, upper = contacts[k - 1], contacts[k]
-        depth_lower = lower[APPROACH] / math.cos(lower[CONTACT_ANGLE])
-        depth_upper = upper[APPROACH] / math.cos(upper[CONTACT_ANGLE])
-        upper_yields = depth_upper < depth_lower
+        upper_yields = upper[OVERLAP] < lower[OVERLAP]
         deep, shallow = (lower, upper) if upper_yields else (upper, lower)
-        depth = min(depth_lower, depth_upper)
-        prominences = depth_lower + depth_upper - 2.0 * saddle
-        inequality = 1.0 - 2.0 * (depth - saddle) / prominences if prominences > 0.0 else 0.0
+        prominences = deep[OVERLAP] + shallow[OVERLAP] - 2.0 * saddle
+        inequality = 1.0 - 2.0 * (shallow[OVERLAP] - saddle) / prominences if prominences > 0.0 else 0.0
         far = edge(
             pair,
             minimum(normal, pair, shallow, shear_modulus, poisson_ratio),
             end if upper_yields else pair.wheel.start,
         )
         reach = inequality * (far - y_saddle)
-        of_shallow = y_saddle + saddle / depth * reach
+        of_shallow = y_saddle + saddle / shallow[OVERLAP] * reach
         low = minimum(normal, pair, deep, shear_modulus, poisson_ratio)
         _, at_saddle, _, _ = strip_at(pair, low, y_saddle)
         _, at_shallow, _, _ = strip_at(pair, low, shallow[Y_WHEEL])
         of_deep = y_saddle
         if at_saddle > 0.0 and at_shallow > 0.0:
-            of_deep += min(at_saddle / at_shallow, saddle / depth) * reach
+            of_deep += min(at_saddle / at_shallow, saddle / shallow[OVERLAP]) * reach
         if upper_yields:
             lower[LIMIT_HIGH], upper[LIMIT_LOW] = of_deep, of_shallow
         else:

@@ -1,6 +1,7 @@
-"""Non-elliptic contact patches made of strips in rolling direction: from a minimum of the gap to its patch.
+"""Non-elliptic contact patches made of strips in rolling direction: from a maximum of the overlap to its
+patch.
 
-From the point of deepest interpenetration, the edges are sought outwards on both sides along the profiles;
+From the point of largest overlap, the edges are sought outwards on both sides along the profiles;
 between them lie strips of equal share of the profile's y. `analyn` or `kik_piotrowski` gives half length and
 pressure of each, here they are added up to the normal force.
 """
@@ -11,9 +12,9 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.search import (
     APPROACH,
     CONTACT_ANGLE,
-    DEPTH,
     LIMIT_HIGH,
     LIMIT_LOW,
+    OVERLAP,
     POINT,
     RADIUS,
     RAIL_CURVATURE,
@@ -43,7 +44,7 @@ _SQUARE_ROOT_EDGE = 0.086110  # -zeta(-1/2, 1/2) sqrt(2): excess of midpoints in
 def minimum(
     normal: int, pair: WheelRailPair, contact: FloatArray, shear_modulus: float, poisson_ratio: float
 ) -> Minimum:
-    """A `Minimum` from a row of `search.find_minima`."""
+    """A `Minimum` from a row of `search.find_maxima`."""
     cosine, approach = math.cos(contact[CONTACT_ANGLE]), contact[APPROACH]
     curvature_x = 0.5 * cosine / contact[RADIUS]
     curvature_y = max(0.5 * (contact[WHEEL_CURVATURE] + contact[RAIL_CURVATURE]), CURVATURE_FLOOR)
@@ -56,7 +57,7 @@ def minimum(
         z_rail,
         cosine,
         math.sin(contact[CONTACT_ANGLE]),
-        contact[DEPTH] * cosine,
+        contact[OVERLAP],
         approach,
         curvature_x,
         curvature_y,

@@ -17,7 +17,7 @@ from hh_exudyn.kernel import inlined_kernel
 
 MAX_SLOPE = 5.0  # |dz/dy| where tables end, 78.7 degrees: no wheel in service touches a steeper rail flank
 _RESAMPLING_STEP = 20e-6  # m, of the dense curve that is smoothed
-_RUN_OUT = 0.75e-3  # m, beyond `MAX_SLOPE` on a rail: more than the spacing of flange nodes in the search
+_RUN_OUT = 0.75e-3  # m, beyond `MAX_SLOPE` on a rail: some nodes
 _MIN_STEP, _MAX_STEP = 0.05e-3, 2e-3  # m
 _MAX_SMOOTHING = 5e-3  # m
 
@@ -45,7 +45,7 @@ def spline_table(profile: Profile, step: float = 0.25e-3, smoothing: float = 0.5
     -------
     SplineTable
         Ends where the slope reaches `MAX_SLOPE`; a wheel ends at its flange tip, a rail runs out in 0.75 mm
-        of parabola on either side, so that the search finds slopes on both sides of any contact.
+        of parabola on either side, so that the search finds nodes on both sides of any contact.
 
     Raises
     ------
@@ -94,17 +94,7 @@ def uniform_table(start: float, step: float, z: FloatArray, second: FloatArray) 
     slope = np.empty_like(z)
     slope[:-1] = np.diff(z) / step - step / 6.0 * (2.0 * second[:-1] + second[1:])
     slope[-1] = slope[-2] + 0.5 * step * (second[-2] + second[-1])
-    levels = int(math.log2(z.size - 1)) + 1
-    bounds = np.empty((levels, z.size, 2))
-    bounds[:, :, 0], bounds[:, :, 1] = -np.inf, np.inf  # no bound beyond the grid
-    bounds[0, :-1, 0] = np.minimum(second[:-1], second[1:])  # linear from node to node
-    bounds[0, :-1, 1] = np.maximum(second[:-1], second[1:])
-    for level in range(1, levels):
-        half = 1 << (level - 1)
-        below = bounds[level - 1]
-        bounds[level, :-half, 0] = np.minimum(below[:-half, 0], below[half:, 0])
-        bounds[level, :-half, 1] = np.maximum(below[:-half, 1], below[half:, 1])
-    return SplineTable(start, step, z, second, 1.0 / step, slope, bounds)
+    return SplineTable(start, step, z, second, 1.0 / step, slope)
 
 
 @inlined_kernel
@@ -127,17 +117,30 @@ def spline_evaluate(table: SplineTable, y: float) -> tuple[float, float, float]:
     last = table.z.size - 1
     if not (u >= 0.0 and u <= last):
         return math.nan, math.nan, math.nan
-    i = min(int(u), last - 1)
-    h = table.step
-    t = u - i
+    i = np.uint64(min(u, last - 1.0))
+    return spline_behind_node(table, i, u - i)
+
+
+@inlined_kernel
+def spline_behind_node(table: SplineTable, node: int, part: float) -> tuple[float, float, float]:
+    """`spline_evaluate` where it is known between which nodes; no branches, for vector instructions.
+
+    Parameters
+    ----------
+    table : SplineTable
+        The profile.
+    node : int
+        Number of a node, an unsigned one, and not the last: a signed one might count from the end.
+    part : float
+        Distance behind it over the node spacing, 0 .. 1; beyond, the cubic goes on.
+    """
+    h, t = table.step, part
     s = 1.0 - t
-    m0 = table.second[i]
-    m1 = table.second[i + 1]
+    after = node + np.uint64(1)
+    z0, z1, m0, m1 = table.z[node], table.z[after], table.second[node], table.second[after]
     sixth = h * (1.0 / 6.0)
-    z = s * table.z[i] + t * table.z[i + 1] + h * sixth * ((s * s * s - s) * m0 + (t * t * t - t) * m1)
-    slope = (table.z[i + 1] - table.z[i]) * table.per_step + sixth * (
-        (1.0 - 3.0 * s * s) * m0 + (3.0 * t * t - 1.0) * m1
-    )
+    z = s * z0 + t * z1 + h * sixth * ((s * s * s - s) * m0 + (t * t * t - t) * m1)
+    slope = (z1 - z0) * table.per_step + sixth * ((1.0 - 3.0 * s * s) * m0 + (3.0 * t * t - 1.0) * m1)
     return z, slope, s * m0 + t * m1
 
 

@@ -9,7 +9,7 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import minimize
 
 from hh_exudyn.contact.geometry import search
-from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MINIMA, find_contacts
+from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MAXIMA, find_contacts
 from hh_exudyn.contact.geometry.silhouette import wheel_rail_pair
 from hh_exudyn.contact.normal.hertz import normal_contact
 from hh_exudyn.contact.profile import gauge_point, rail_profile, wheel_profile
@@ -33,7 +33,7 @@ class Pair:
         self.rail_y = side * (GAUGE / 2 + gauge_point(rail))
 
     def contacts(self, y: float, z: float, yaw: float = 0.0, roll: float = 0.0) -> np.ndarray:
-        rows = np.zeros((MAX_MINIMA, CONTACT_COLUMNS))
+        rows = np.zeros((MAX_MAXIMA, CONTACT_COLUMNS))
         centre = np.array([0.0, y - self.rail_y, z])
         pair = wheel_rail_pair(WHEEL, self.rail, self.side, D, R0, centre, axle(yaw, roll))
         return rows[: find_contacts(pair, rows)]
@@ -98,15 +98,16 @@ def least_gap_in_space(pair: Pair, y: float, z: float, l_vector: np.ndarray) -> 
 def test_deepest_contact_is_the_minimum_distance_in_space(
     side: float, y: float, yaw: float, roll: float
 ) -> None:
+    """Where the wheel just touches (10 nm): the deeper it sinks, the further the largest overlap along the
+    normal lies from the smallest vertical gap, on a flange by a millimetre at 100 um.
+    """
     pair = Pair(side=side)
-    z = pair.touching_height(side * y, yaw, roll) - 100e-6
-    # The deepest vertically is what the brute force finds; take the contact that is
-    contacts = pair.contacts(side * y, z, yaw, roll)
-    depth = contacts[:, search.APPROACH] / np.cos(contacts[:, search.CONTACT_ANGLE])
-    deepest = contacts[np.argmax(depth)]
+    z = pair.touching_height(side * y, yaw, roll) - 10e-9
+    (deepest,) = pair.contacts(side * y, z, yaw, roll)
+    depth = deepest[search.OVERLAP] / np.cos(deepest[search.CONTACT_ANGLE])
     gap, (y_wheel, x, y_point, z_point) = least_gap_in_space(pair, side * y, z, axle(yaw, roll))
-    assert gap == pytest.approx(-100e-6, abs=1e-7)
-    assert depth.max() == pytest.approx(-gap, abs=2e-9)
+    assert gap == pytest.approx(-10e-9, abs=1e-10)
+    assert depth == pytest.approx(-gap, abs=1e-10)
     assert deepest[search.Y_WHEEL] == pytest.approx(y_wheel, abs=2e-6)
     assert deepest[search.POINT] == pytest.approx(x, abs=2e-6)
     assert deepest[search.POINT + 1] == pytest.approx(y_point - side * y, abs=2e-6)

@@ -7,7 +7,7 @@ import pytest
 from strip_bench import NU, RADIUS, G
 
 from hh_exudyn.contact.geometry.rail_tables import rail_at
-from hh_exudyn.contact.geometry.search import APPROACH, CONTACT_COLUMNS, DEPTH, MAX_MINIMA, POINT, STIFFNESS
+from hh_exudyn.contact.geometry.search import APPROACH, CONTACT_COLUMNS, MAX_MAXIMA, OVERLAP, POINT, STIFFNESS
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, wheel_rail_pair
 from hh_exudyn.contact.normal.neighbours import find_patches
 from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
@@ -32,7 +32,7 @@ def wheel_at(y: float, height: float) -> WheelRailPair:
 
 def solve(normal: str, pair: WheelRailPair) -> tuple[np.ndarray, np.ndarray]:
     """Contact rows and normal forces of all patches."""
-    rows, strips = np.zeros((MAX_MINIMA, CONTACT_COLUMNS)), np.zeros((20, STRIP_COLUMNS))
+    rows, strips = np.zeros((MAX_MAXIMA, CONTACT_COLUMNS)), np.zeros((20, STRIP_COLUMNS))
     number = NORMAL_THEORIES[normal]
     count = find_patches(number, pair, rows, G, NU, strips)
     found = rows[:count].copy()
@@ -46,7 +46,7 @@ def solve(normal: str, pair: WheelRailPair) -> tuple[np.ndarray, np.ndarray]:
 def highest(y: float) -> float:
     """The height at which the wheel just touches."""
     low, high = RADIUS - 1e-3, RADIUS + 5e-3
-    rows, strips = np.zeros((MAX_MINIMA, CONTACT_COLUMNS)), np.zeros((20, STRIP_COLUMNS))
+    rows, strips = np.zeros((MAX_MAXIMA, CONTACT_COLUMNS)), np.zeros((20, STRIP_COLUMNS))
     while high - low > 1e-9:
         middle = 0.5 * (low + high)
         touches = find_patches(1, wheel_at(y, middle), rows, G, NU, strips) > 0
@@ -89,7 +89,7 @@ def test_neighbour_presses_down(normal: str) -> None:
     compliance = (1 - NU) / (math.pi * G)
     assert len(rows) == 2
     for k, j in ((0, 1), (1, 0)):
-        rigid = rows[k, DEPTH] * math.cos(rows[k, 2])
+        rigid = rows[k, OVERLAP]
         pressed = rigid - rows[k, APPROACH]
         distance = np.linalg.norm(rows[k, POINT : POINT + 3] - rows[j, POINT : POINT + 3])
         tilt = math.cos(rows[k, 2] - rows[j, 2])
@@ -100,7 +100,7 @@ def test_neighbour_presses_down(normal: str) -> None:
 def test_python_and_compiled_agree() -> None:
     """The kernels of one patch as plain Python, which also shows that they are no more than that."""
     pair = wheel_at(-2e-3, highest(-2e-3) - 50e-6)
-    rows, strips = np.zeros((MAX_MINIMA, CONTACT_COLUMNS)), np.zeros((12, STRIP_COLUMNS))
+    rows, strips = np.zeros((MAX_MAXIMA, CONTACT_COLUMNS)), np.zeros((12, STRIP_COLUMNS))
     assert find_patches(1, pair, rows, G, NU, strips) == 1
     low = minimum(1, pair, rows[0], G, NU)
     other = strips.copy()

@@ -116,6 +116,13 @@ def test_table_stays_with_the_profile(profile: Profile, smoothing: float) -> Non
     np.testing.assert_allclose((ahead[:, 0] - behind[:, 0]) / (2 * h), slope, atol=1e-5)
     np.testing.assert_allclose((ahead[:, 1] - behind[:, 1]) / (2 * h), second, rtol=1e-5, atol=2.0)
     assert np.abs(slope).max() <= MAX_SLOPE + 0.5
+    # and the slopes that it holds at its nodes
+    nodes = table.start + table.step * np.arange(table.z.size - 1)
+    held = [spline_evaluate(table, float(value))[1] for value in nodes]
+    np.testing.assert_allclose(table.slope[:-1], held, rtol=0, atol=1e-10)
+    assert table.per_step == pytest.approx(1.0 / table.step, rel=1e-15)
+    end = table.start + table.step * (table.z.size - 1)
+    assert table.slope[-1] == pytest.approx(spline_evaluate(table, end - 1e-9)[1], abs=1e-5)
 
 
 def test_smoothing_spreads_the_jump_of_curvature_and_keeps_the_arcs() -> None:

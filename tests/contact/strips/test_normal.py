@@ -7,11 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from free_wheelset import conical_wheel
 from scanned_wheel import hollow_wheel
 from scipy.optimize import brentq
 from strip_poses import MODULUS, WheelAndRail, wheel_and_rail
 
-from hh_exudyn.contact.profile import Profile, rail_profile, wheel_profile
+from hh_exudyn.contact.profile import rail_profile, read_wheel_profile, wheel_profile
 from hh_exudyn.contact.profiles.spline import uniform_table
 from hh_exudyn.contact.strips.table import Row, wheel_strips
 from hh_exudyn.contact.types import WheelStrips
@@ -133,13 +134,12 @@ def test_nothing_above_the_rail() -> None:
     assert isinstance(PAIRS["S1002 on 60E1"], WheelAndRail)
 
 
-def test_the_centre_of_load_moves_with_the_cone() -> None:
+def test_the_centre_of_load_moves_with_the_cone(tmp_path: Path) -> None:
     """The rolling radius at the centre of load of a cone falls by the conicity: 6 % within any step.
 
     In steps of 0.1 mm, a twelfth of a strip: without soft edges (`edges`) it is 10 to 40 % off.
     """
-    y = np.linspace(-0.06, 0.04, 1001)
-    pair = wheel_and_rail(Profile("cone", "wheel", y, -0.05 * y), RAIL, gauge=1.435)
+    pair = wheel_and_rail(read_wheel_profile(conical_wheel(tmp_path / "cone.txt")), RAIL, gauge=1.435)
     radius = []
     for place in np.arange(-1.5e-3, 1.5e-3, 1e-4):
         lowered = brentq(lambda z, place=place: pair.forces(place, z)[0] - 100e3, -3e-3, 3e-3, xtol=1e-12)
