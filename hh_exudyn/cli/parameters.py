@@ -14,7 +14,7 @@ from hh_exudyn.cli import inputs, output
 if TYPE_CHECKING:
     from hh_exudyn.sourced import Parameter
 
-GROUPS = ("vehicle", "track", "steel", "wear", "assessment")
+GROUPS = ("vehicle", "track", "profiles", "steel", "wear", "assessment")
 
 _Numbers = Iterator[tuple[str, "tuple[Parameter, ...]"]]  # name of a file or record, its numbers
 
@@ -30,7 +30,7 @@ def parameters(
     ] = None,
     assumed: Annotated[bool, typer.Option("--assumed", help="Only the numbers that are assumed.")] = False,
 ) -> None:
-    """The numbers of vehicles, track, wheel steels, wear laws and the assessment, with their sources."""
+    """The numbers of vehicles, track, profiles, wheel steels, wear laws and the assessment, with sources."""
     with output.errors_in_one_line():
         if group is not None and group not in GROUPS:
             raise inputs.BadInput(f"GROUP {group}: allowed {', '.join(GROUPS)}")
@@ -88,6 +88,12 @@ def _track() -> _Numbers:
         yield f"line {name}", line_numbers(name)
 
 
+def _profiles() -> _Numbers:
+    from hh_exudyn.sourced import load_parameters
+
+    yield "line_profiles", load_parameters("hh_exudyn", "line_profiles").parameters
+
+
 def _steel() -> _Numbers:
     from hh_exudyn.sourced import load_parameters
 
@@ -106,4 +112,4 @@ def _assessment() -> _Numbers:
     yield "assessment", load_parameters("hh_exudyn", "assessment").parameters
 
 
-_GROUPS = dict(zip(GROUPS, (_vehicles, _track, _steel, _wear, _assessment), strict=True))
+_GROUPS = dict(zip(GROUPS, (_vehicles, _track, _profiles, _steel, _wear, _assessment), strict=True))

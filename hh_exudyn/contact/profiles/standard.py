@@ -97,6 +97,11 @@ _FLANK = 20.0  # steepness of the flank, 1:20 in all four drawings
 _FLANK_LENGTH_MM = 12.0
 
 
+def rail_head(name: str) -> RailHead:
+    """The drawing of a standard rail head, one of `RAIL_HEADS`."""
+    return _HEADS[name]
+
+
 def rail_head_coordinates(name: str) -> tuple[FloatArray, FloatArray]:
     """An upright standard rail head, one of `RAIL_HEADS`: `head_coordinates` of its drawing."""
     return head_coordinates(_HEADS[name])
