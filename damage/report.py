@@ -11,11 +11,12 @@ from damage.log_input.bad_rows import BadRows
 from damage.log_input.contact_source import ContactSource
 from damage.material import ER7, WheelMaterial
 from damage.model import DamageModel
+from damage.patch_strips import FLANGE, TREAD
 from damage.rcf.burstow import Burstow
 from damage.rcf.surface_index import FLANGE_CONTACT_ANGLE
 from damage.surface.accumulate import accumulate
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
-from damage.surface.wheel_surface import DEFAULT_PATCH_GRID, FLANGE, TREAD, WheelSurface
+from damage.surface.wheel_surface import DEFAULT_PATCH_GRID, WheelSurface
 from damage.wear.archard import archard
 from damage.wear.law import WearLaw
 from hh_exudyn.contact.profile import Profile

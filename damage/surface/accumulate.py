@@ -26,18 +26,19 @@ from damage.log_input.contact_states import CHUNK_ROWS
 from damage.log_input.output_clock import OutOfOrder, OutputClock, TimedStates, output_clock, timed_states
 from damage.log_input.states import ContactStates, Elastic
 from damage.model import DamageModel
+from damage.patch_strips import FLANGE, TREAD
 from damage.rcf.number import COLUMNS, CORRECTED, COUNTED, ENERGY, Bins
 from damage.rcf.surface_index import surface_fatigue_index
 from damage.surface.contact_sums import Placed, Solving, Sums, add_states, work_space
 from damage.surface.patch_field import DAMAGE_THEORIES
-from damage.surface.wheel_surface import FLANGE, TREAD, Wheel, WheelSurface
+from damage.surface.wheel_surface import Wheel, WheelSurface
 from damage.wear.energy import wear_number
 from hh_exudyn.arrays import FloatArray, IntArray
 
 BLOCK_ROWS = 2500  # rows of a block: some 50 ms of work; the sums depend on it in the last digits
 
 _COUNTED = {"rcf_number": COUNTED, "corrected_rcf_number": CORRECTED, "energy": ENERGY}  # columns of `counts`
-_SUMMED = tuple(name for name in Sums._fields if name != "counts")
+_SUMMED = tuple(name for name in Sums._fields if name not in ("counts", "pressure_by_part"))
 
 
 class Block(NamedTuple):
@@ -139,6 +140,8 @@ def _add_blocks(
         block = future.result()
         for name in _SUMMED:
             getattr(surface, name)[wheel] += getattr(block, name)
+        highest = surface.pressure_by_part[wheel]
+        np.maximum(highest, block.pressure_by_part, out=highest)
         for name, column in _COUNTED.items():
             getattr(surface, name)[wheel] += block.counts[..., column]
 
@@ -154,7 +157,7 @@ def _block_sums(block: Block, wheel: Wheel, model: DamageModel) -> Sums:
     """Sums over the states of a block, from zero."""
     zero = WheelSurface.zero((wheel,), model.grid, model.patch_grid)
     counts = np.zeros((*zero.rcf_number.shape[1:], COLUMNS))
-    sums = Sums(**{name: getattr(zero, name)[0] for name in _SUMMED}, counts=counts)
+    sums = Sums(*(getattr(zero, name)[0] for name in Sums._fields[:-1]), counts)
     elastic, grid, along = model.material.elastic, model.grid, model.patch_grid
     solving = Solving(
         DAMAGE_THEORIES[model.theory],
@@ -185,7 +188,6 @@ def _piece_sums(piece: TimedStates, model: DamageModel) -> tuple[WheelSurface, I
     np.add.at(empty.index_area, (wheel, part), np.maximum(index, 0.0) * interval)
     np.add.at(empty.friction_area, (wheel, part), states.friction * interval)
     np.add.at(empty.work, wheel, lost * states.speed * interval)
-    np.maximum.at(empty.max_pressure, wheel, states.p_max)
     sums = replace(  # the rows of one output time share its interval, so time and distance add up in any cut
         empty,
         rows=wheel.size,
