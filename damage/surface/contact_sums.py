@@ -27,6 +27,8 @@ class Placed(NamedTuple):
     fatigue_index: FloatArray  # FI_surf [-]
     position: FloatArray  # coordinate on the grid [m]
     stretch: FloatArray  # length in that coordinate over length across the patch [-]
+    lowest: FloatArray  # place on the wheel where another patch of it may begin [m]
+    highest: FloatArray
 
 
 class Sums(NamedTuple):
