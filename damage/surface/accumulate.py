@@ -142,8 +142,9 @@ def _blocks(states: ContactStates, placed: Placed, wheel: IntArray, size: int) -
     """The states in blocks of `size` rows, wheel by wheel, each with the index of its wheel."""
     order = np.argsort(wheel, kind="stable")
     for rows in np.split(order, np.flatnonzero(np.diff(wheel[order])) + 1):
-        for first in range(0, rows.size, size):
-            block = rows[first : first + size]
+        new = np.flatnonzero(np.diff(states.time[rows], prepend=np.nan) != 0.0)  # one time in one block
+        starts = new[np.diff(new // size, prepend=-1) > 0]
+        for block in np.split(rows, starts[1:]):
             yield Block(
                 int(wheel[block[0]]),
                 ContactStates._make(column[block] for column in states),
@@ -227,18 +228,19 @@ def _add_solved(
     """Add the states of a block, each solved by the half-space; their fatigue indices follow from it too."""
     states, placed = block.states, block.placed
     spaces: dict[tuple[int, int], Work] = {}
-    for row in np.flatnonzero(states.normal_force > 0.0):
-        solved = solver.solve(states, placed, int(row), solving)
-        rows, along = solved.fields.pressure.shape
-        size = along, -(-rows // _STRIPS_STEP) * _STRIPS_STEP
-        if size not in spaces:
-            spaces[size] = work_space(size, bins_along)
-        normal = states.normal_force[row]
-        placed.fatigue_index[row] = (solved.force - 2.0 / 3.0 * solved.area * solving.shear_yield) / normal
-        np.maximum.at(sums.pressure_by_part, solved.strips.part, solved.max_pressure)
-        turning = turning_of(states, int(row), placed.interval[row], placed.fatigue_index[row])
-        patch = patch_of(states, int(row), solving.elastic)
-        add_patch(patch, solved.area, solved.strips, solved.fields, turning, solving, spaces[size], sums)
+    loaded = np.flatnonzero(states.normal_force > 0.0)
+    for rows in np.split(loaded, np.flatnonzero(np.diff(states.time[loaded])) + 1):
+        for row, solved in zip(rows, solver.solve(states, placed, rows, solving), strict=True):
+            strips, along = solved.fields.pressure.shape
+            size = along, -(-strips // _STRIPS_STEP) * _STRIPS_STEP
+            if size not in spaces:
+                spaces[size] = work_space(size, bins_along)
+            bearing = 2.0 / 3.0 * solved.area * solving.shear_yield
+            placed.fatigue_index[row] = (solved.force - bearing) / states.normal_force[row]  # (3.16)
+            np.maximum.at(sums.pressure_by_part, solved.strips.part, solved.max_pressure)
+            turning = turning_of(states, row, placed.interval[row], placed.fatigue_index[row])
+            patch = patch_of(states, row, solving.elastic)
+            add_patch(patch, solved.area, solved.strips, solved.fields, turning, solving, spaces[size], sums)
 
 
 def _piece_sums(piece: TimedStates, model: DamageModel) -> tuple[WheelSurface, IntArray, Placed]:

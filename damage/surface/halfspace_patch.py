@@ -2,10 +2,12 @@
 
 With the profiles of the run the wheel is pressed on its rail in the pose of the row, along the normal of the
 row's contact, until it carries the row's normal force; then its tractions follow from the row's creepages,
-the wheel being a rigid body. Where a wheel has two patches each is solved alone: 20 mm of wheel between them
-displace each other by less than 2 % of their approach. Without profiles the equivalent ellipse is solved.
+the wheel being a rigid body. Patches of one wheel displace each other's surface: they are solved in turn,
+each with the forces of the others. Without profiles the equivalent ellipse is solved.
 """
 
+import math
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -16,7 +18,7 @@ from damage.patch_strips import FLANGE, TREAD, PatchStrips, ellipse_strips, plac
 from damage.surface.contact_sums import Placed, Solving
 from damage.surface.lateral_grid import LateralGrid
 from damage.surface.rebuilt_sums import logged_pair
-from hh_exudyn.arrays import FloatArray
+from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.halfspace.conformal import wheel_arc
 from hh_exudyn.contact.halfspace.conformal_slip import slip_of_creepages
 from hh_exudyn.contact.halfspace.ellipse import ellipse_field
@@ -33,7 +35,7 @@ from hh_exudyn.contact.types import Fields, WheelRailModel
 SPACING = (0.4e-3, 0.4e-3)  # m, of the elements along the patch and across
 _NORMAL_TOLERANCE = 1e-4  # of the largest displacement
 _NEAR = 5e-3  # m, between places on the wheel: a farther contact is no start
-_REMEMBERED = 2  # contacts, as many as a wheel has
+_FIRST_TURNS, _TURNS = 3, 2  # in which patches of one wheel are solved, from nothing and from those before
 
 
 class Solved(NamedTuple):
@@ -72,15 +74,17 @@ class WheelSolver:
     _before: list[tuple[ConformalContact, FloatArray]] = field(default_factory=list)
     _arcs: dict[float, tuple[FloatArray, FloatArray]] = field(default_factory=dict)
 
-    def solve(self, states: ContactStates, placed: Placed, row: int, solving: Solving) -> Solved:
-        """The patch of a row.
+    def solve(
+        self, states: ContactStates, placed: Placed, rows: IntArray, solving: Solving
+    ) -> Iterator[Solved]:
+        """The patches of the wheel at one time.
 
         Parameters
         ----------
         states, placed
             Contact states of the wheel with poses.
-        row
-            Number of one.
+        rows
+            Numbers of those of one time.
         solving
             Not read: the material is the solver's own.
 
@@ -90,51 +94,77 @@ class WheelSolver:
             Nothing touches: other profiles were in the run; or the pressure limit is so low that the load
             cannot be carried.
         """
-        side, place = float(states.side[row]), float(states.y_wheel[row])
-        pair = logged_pair(self.contact, states, row, np.zeros((2, 3)))
-        if side not in self._arcs:
-            self._arcs[side] = wheel_arc(pair.wheel)
-        pressing = Pressing(
-            float(states.normal_force[row]),
-            float(states.contact_angle[row]),
-            (float(placed.lowest[row]), float(placed.highest[row])),
-        )
-        start = self._start(place)
-        options = {
-            "load": pressing, "spacing": SPACING, "material": self.material, "limit": self.pressure_limit,
-            "tolerance": _NORMAL_TOLERANCE, "arc": self._arcs[side],
-        }  # fmt: skip
-        try:
-            found = conformal_contact(pair, start=None if start is None else start[0], **options)
-            if start is not None and found is not None and not _covers(found, place):
-                found, start = conformal_contact(pair, **options), None
-        except ArithmeticError as error:
-            raise ValueError(f"{_where(states, row)}: {error}") from None
-        if found is None:
-            raise ValueError(
-                f"{_where(states, row)}: wheel and rail do not touch; other profiles were in the run"
-            )
-        creepages = (float(states.nu_x[row]), float(states.nu_y[row]), float(states.phi[row]))
-        rigid = slip_of_creepages(found, (pair.axle_y, pair.axle_z), creepages)
-        rolling = rolling_contact(
-            found.influence,
-            float(states.friction[row]) * found.pressure,
-            rigid,
-            start=None if start is None else carry_over(start[1], start[0], found),
-        )
-        self._remember(found, rolling.traction)
-        fields = _balanced(found.pressure, rolling.traction, rolling.slip, rigid)
-        return self._solved(found, fields, rigid, float(np.hypot(*rolling.force)))
+        starts = [self._start(float(states.y_wheel[row])) for row in rows]
+        known = [None if start is None else start[0] for start in starts]
+        turns = _TURNS if all(known) else _FIRST_TURNS
+        for _ in range(turns if rows.size > 1 else 1):
+            for k, row in enumerate(rows):
+                beside = tuple(other for i, other in enumerate(known) if i != k and other is not None)
+                known[k] = self._pressed(states, placed, int(row), beside, known[k])
+        self._before = []
+        for start, contact, row in zip(starts, known, rows, strict=True):
+            if contact is not None:
+                yield self._rolled(states, int(row), contact, start)
 
     def _start(self, place: float) -> tuple[ConformalContact, FloatArray] | None:
         """The last contact near a place on the wheel."""
         near = [before for before in self._before if abs(_middle(before[0]) - place) < _NEAR]
         return min(near, key=lambda before: abs(_middle(before[0]) - place)) if near else None
 
-    def _remember(self, contact: ConformalContact, traction: FloatArray) -> None:
-        """Keep a solution in place of the one that it goes on from, or of the oldest."""
-        other = [before for before in self._before if abs(_middle(before[0]) - _middle(contact)) >= _NEAR]
-        self._before = [*other[1 - _REMEMBERED :], (contact, traction)]
+    def _pressed(
+        self,
+        states: ContactStates,
+        placed: Placed,
+        row: int,
+        beside: tuple[ConformalContact, ...],
+        start: ConformalContact | None,
+    ) -> ConformalContact:
+        """The wheel pressed on its rail with the normal force of a row."""
+        side, place = float(states.side[row]), float(states.y_wheel[row])
+        pair = logged_pair(self.contact, states, row, np.zeros((2, 3)))
+        if side not in self._arcs:
+            self._arcs[side] = wheel_arc(pair.wheel)
+        within = (float(placed.lowest[row]), float(placed.highest[row]))
+        load, angle = float(states.normal_force[row]), float(states.contact_angle[row])
+        pressing = Pressing(load, angle, within, beside)
+
+        def solve(begin: ConformalContact | None) -> ConformalContact | None:
+            return conformal_contact(
+                pair, load=pressing, spacing=SPACING, material=self.material, limit=self.pressure_limit,
+                tolerance=_NORMAL_TOLERANCE, start=begin, arc=self._arcs[side],
+            )  # fmt: skip
+
+        try:
+            found = solve(start)
+            if start is not None and found is not None and not abs(_middle(found) - place) < _NEAR:
+                found = solve(None)  # the start led to another place
+        except ArithmeticError as error:
+            raise ValueError(f"{_where(states, row)}: {error}") from None
+        if found is None:
+            raise ValueError(f"{_where(states, row)}: no contact; other profiles were in the run")
+        return found
+
+    def _rolled(
+        self,
+        states: ContactStates,
+        row: int,
+        contact: ConformalContact,
+        start: tuple[ConformalContact, FloatArray] | None,
+    ) -> Solved:
+        """The tractions of a contact, and all that damage needs of it."""
+        creepages = (float(states.nu_x[row]), float(states.nu_y[row]), float(states.phi[row]))
+        yaw, roll = float(states.angle_of_attack[row]), float(states.roll[row])
+        axle = (math.cos(yaw) * math.cos(roll), math.sin(roll))
+        rigid = slip_of_creepages(contact, axle, creepages)
+        rolling = rolling_contact(
+            contact.influence,
+            float(states.friction[row]) * contact.pressure,
+            rigid,
+            start=None if start is None else carry_over(start[1], start[0], contact),
+        )
+        self._before.append((contact, rolling.traction))
+        fields = _balanced(contact.pressure, rolling.traction, rolling.slip, rigid)
+        return self._solved(contact, fields, rigid, float(np.hypot(*rolling.force)))
 
     def _solved(self, contact: ConformalContact, fields: Fields, rigid: FloatArray, force: float) -> Solved:
         """The strips and fields of the part of the grid that is in contact."""
@@ -176,17 +206,22 @@ class EllipseSolver:
     cells: tuple[int, int]
     _shares: FloatArray | None = None
 
-    def solve(self, states: ContactStates, placed: Placed, row: int, solving: Solving) -> Solved:
-        """The patch of a row; arguments as of `WheelSolver.solve`."""
-        patch, (nx, ny) = patch_of(states, row, solving.elastic), self.cells
-        strips, fields = strips_space(ny), Fields(*np.zeros((5, ny, nx)))
-        area = ellipse_strips(patch, strips)
-        across = -states.side[row] * placed.stretch[row]
-        place_strips(patch.b, placed.position[row], across, placed.part[row], strips)
-        self._shares = ellipse_field(patch, fields, self._shares)
-        cell = (2.0 * strips.half_length * strips.width / nx)[:, None]
-        force = float(np.hypot(np.sum(fields.q_x * cell), np.sum(fields.q_y * cell)))
-        return Solved(strips, float(area), fields, force, np.full(ny, states.p_max[row]))
+    def solve(
+        self, states: ContactStates, placed: Placed, rows: IntArray, solving: Solving
+    ) -> Iterator[Solved]:
+        """The patches of the wheel at one time; arguments as of `WheelSolver.solve`."""
+        nx, ny = self.cells
+        for row in rows:
+            patch = patch_of(states, row, solving.elastic)
+            strips, fields = strips_space(ny), Fields(*np.zeros((5, ny, nx)))
+            area = ellipse_strips(patch, strips)
+            across = -states.side[row] * placed.stretch[row]
+            place_strips(patch.b, placed.position[row], across, placed.part[row], strips)
+            start = self._shares if rows.size == 1 else None
+            self._shares = ellipse_field(patch, fields, start)
+            cell = (2.0 * strips.half_length * strips.width / nx)[:, None]
+            force = float(np.hypot(np.sum(fields.q_x * cell), np.sum(fields.q_y * cell)))
+            yield Solved(strips, float(area), fields, force, np.full(ny, states.p_max[row]))
 
 
 def _balanced(pressure: FloatArray, traction: FloatArray, slip: FloatArray, rigid: FloatArray) -> Fields:
@@ -202,16 +237,11 @@ def _middle(contact: ConformalContact) -> float:
     return float(load @ contact.y_wheel / load.sum())
 
 
-def _covers(contact: ConformalContact, place: float) -> bool:
-    """Whether a contact lies where the row has it, and not at another place that the start led to."""
-    return abs(_middle(contact) - place) < _NEAR
-
-
 def _where(states: ContactStates, row: int) -> str:
     return f"contact log: time = {states.time[row]:.6g} s, y_wheel = {states.y_wheel[row] * 1e3:.2f} mm"
 
 
-def places_between(states: ContactStates, wheel: FloatArray) -> tuple[FloatArray, FloatArray]:
+def places_between(states: ContactStates, wheel: IntArray) -> tuple[FloatArray, FloatArray]:
     """Places on the wheel between which each row's patch touches, (n,) each [m].
 
     Infinite where the wheel has no other patch on that side; else where the gap between the patches is

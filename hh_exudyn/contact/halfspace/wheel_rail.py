@@ -39,11 +39,14 @@ class Pressing:
         -pi/2 .. pi/2: the wheel moves along it.
     within : tuple of float
         Places on the wheel (side coordinates) between which it may touch [m].
+    beside : tuple of ConformalContact
+        Other contacts of the same wheel, outside of these places: their forces displace the surface here.
     """
 
     load: float
     angle: float = 0.0
     within: tuple[float, float] = (-np.inf, np.inf)
+    beside: "tuple[ConformalContact, ...]" = ()
 
     def __post_init__(self) -> None:
         if not 0.0 < self.load < np.inf:
@@ -141,6 +144,31 @@ class _Task:
     def load(self) -> float | None:
         """Of the pressing [N]."""
         return None if self.pressing is None else self.pressing.load
+
+    def field(self, window: "_Window") -> FloatArray:
+        """Overlap in the elements of a window, less the displacement by other contacts of the wheel [m]."""
+        x = window.x(self.spacing[0])
+        field = self.overlap.field(window.first, window.count, x)
+        for other in () if self.pressing is None else self.pressing.beside:
+            field -= self._displacement(other, window, x)
+        return field
+
+    def _displacement(self, other: "ConformalContact", window: "_Window", x: FloatArray) -> FloatArray:
+        """Of the window's elements by the forces of another contact, a point load for each of its strips [m].
+
+        Boussinesq's (K.L. Johnson, Contact Mechanics, 1985, equation 3.22a), both bodies together.
+        """
+        order = 1 if self.overlap.side < 0.0 else -1  # of y on the wheel along the arc
+        arc = self.overlap.spacing * np.arange(self.overlap.y_wheel.size)
+        place = np.interp(other.y_wheel, self.overlap.y_wheel[::order], arc[::order])
+        strips = other.pressure.any(axis=1)
+        force = other.pressure[strips].sum(axis=1) * other.influence.grid.area
+        middle = other.pressure[strips] @ other.x * other.influence.grid.area / force
+        away = arc[window.first : window.first + window.count, None, None] - place[strips]
+        distance = np.hypot(x[None, :, None] - middle, away)
+        flexibility = (1.0 - self.material.poisson_ratio) / (np.pi * self.material.shear_modulus)
+        displacement: FloatArray = flexibility * (force / np.maximum(distance, self.spacing[1])).sum(axis=2)
+        return displacement
 
     @property
     def share(self) -> FloatArray:
@@ -263,7 +291,7 @@ def _coarse(task: _Task) -> _Found | None:
             return None
         influence = Influence(Grid(window.along, window.count, spacing, overlap.spacing), material)
         strips = slice(window.first, window.first + window.count)
-        field = overlap.field(window.first, window.count, window.x(spacing))
+        field = task.field(window)
         weight = np.repeat(share[strips, None], window.along, axis=1)
         if load is None:
             solved = normal_contact(
@@ -348,7 +376,7 @@ def _fine(task: _Task, start: _Found) -> ConformalContact:
         influence = Influence(Grid(window.along, window.count, *spacing), task.material)
         weight = np.repeat(share[strips, None], window.along, axis=1)
         solved = normal_contact(
-            influence, overlap.field(window.first, window.count, x),
+            influence, task.field(window),
             approach=0.0 if task.load is None else None, load=task.load, weight=weight, limit=task.limit,
             start=_carried(start.pressure, (start.y_wheel, start.x), (overlap.y_wheel[strips], x)),
             tolerance=task.tolerance,
