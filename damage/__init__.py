@@ -9,6 +9,7 @@ Start with `damage.report.assess`, which takes a run, files, a table or arrays.
 `parameters`    numbers with their sources, from ``damage/data``
 `summary`       means per wheelset over the last part of a run
 `cells`         middles of the cells of a patch
+`patch_strips`  strips of a patch on the wheel
 `bounds`        checks of numbers against their bounds
 `log_input`     the contact log, checked, each row with its output interval
 `surface`       sums over contact states on a grid fixed to the wheel profile

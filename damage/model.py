@@ -3,13 +3,16 @@
 import math
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from damage.material import ER7, WheelMaterial
 from damage.rcf.burstow import Burstow, BurstowLimits
 from damage.rcf.surface_index import FLANGE_CONTACT_ANGLE
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
-from damage.surface.patch_field import theory_number
-from damage.wear.archard import archard
+from damage.surface.normal_contact import ELLIPSE, check_contact
+from damage.wear.archard import DRY, archard, read_archard
 from damage.wear.law import WearLaw
+from hh_exudyn.contact.types import WheelRailModel
 
 _NOTHING_WIPED = BurstowLimits(math.inf, 1.0, math.inf)  # infinite thresholds: no correction
 
@@ -28,8 +31,15 @@ class DamageModel:
         The wear law, see `damage.wear.laws.wear_law`.
     theory
         Tangential theory, one of `damage.surface.patch_field.DAMAGE_THEORIES`.
+    normal
+        Normal contact, one of `damage.surface.normal_contact.NORMAL_CONTACTS`.
+    contact
+        Profiles and theory of the run, for rebuilt patches.
+    pressure_limit
+        Upper bound of the pressure of the half-space [Pa].
     cells
-        Cells of a patch along and across [-].
+        Cells of a patch along and across [-]; of rebuilt strips along only, of the half-space with profiles
+        none, whose elements have a size.
     flange_angle
         Contact angle above which a contact counts as flange contact [rad], 0 to pi/2.
     grid
@@ -42,12 +52,16 @@ class DamageModel:
     Raises
     ------
     ValueError
-        Unknown theory, cells below 1, or an angle out of range.
+        Unknown theory, one that does not go with the normal contact, cells below 1, or an angle or a pressure
+        limit out of range.
     """
 
     material: WheelMaterial = ER7
     law: WearLaw = field(default_factory=archard)
     theory: str = "fastrip"
+    normal: str = ELLIPSE
+    contact: WheelRailModel | None = field(default=None, compare=False, repr=False)
+    pressure_limit: float = math.inf
     cells: tuple[int, int] = (50, 50)
     flange_angle: float = FLANGE_CONTACT_ANGLE
     grid: LateralGrid = field(default_factory=LateralGrid)
@@ -55,11 +69,22 @@ class DamageModel:
     burstow: Burstow | None = None
 
     def __post_init__(self) -> None:
-        theory_number(self.theory)
+        check_contact(self.normal, self.theory, self.contact, self.pressure_limit)
         if min(self.cells) < 1:
             raise ValueError(f"cells = {self.cells} must be at least 1 along and across")
         if not 0.0 < self.flange_angle < 0.5 * math.pi:
             raise ValueError(f"flange_angle = {self.flange_angle} rad must lie within 0..pi/2 rad")
+
+    @property
+    def seizure_pressure(self) -> float:
+        """Pressure above which unworn profiles wear in before anything is extrapolated [Pa].
+
+        0.8 of the hardness, of the wear law where it is Archard's, else of the steel (infinite where unknown).
+        """
+        if self.law.name == "archard":
+            return read_archard(np.array(self.law.numbers)).map.seizure_pressure
+        hardness = self.material.hardness
+        return math.inf if hardness is None else DRY.seizure_ratio * hardness
 
     @property
     def limits(self) -> BurstowLimits:

@@ -1,5 +1,6 @@
 """From a run to the damage of its wheels, one row per wheel: `assess`."""
 
+import math
 import time
 from dataclasses import dataclass
 
@@ -11,14 +12,17 @@ from damage.log_input.bad_rows import BadRows
 from damage.log_input.contact_source import ContactSource
 from damage.material import ER7, WheelMaterial
 from damage.model import DamageModel
+from damage.patch_strips import FLANGE, TREAD
 from damage.rcf.burstow import Burstow
 from damage.rcf.surface_index import FLANGE_CONTACT_ANGLE
-from damage.surface.accumulate import accumulate
+from damage.surface.accumulate import Progress, accumulate
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
-from damage.surface.wheel_surface import DEFAULT_PATCH_GRID, FLANGE, TREAD, WheelSurface
+from damage.surface.normal_contact import chosen_contact
+from damage.surface.wheel_surface import DEFAULT_PATCH_GRID, WheelSurface
 from damage.wear.archard import archard
 from damage.wear.law import WearLaw
 from hh_exudyn.contact.profile import Profile
+from hh_exudyn.contact.types import WheelRailModel
 
 DRY_ARCHARD = archard()
 
@@ -123,7 +127,7 @@ class DamageReport:
 def assess(
     source: ContactSource,
     material: WheelMaterial = ER7,
-    theory: str = "fastrip",
+    theory: str | None = None,
     cells: tuple[int, int] = (50, 50),
     law: WearLaw = DRY_ARCHARD,
     flange_angle: float = FLANGE_CONTACT_ANGLE,
@@ -133,12 +137,17 @@ def assess(
     burstow: Burstow | None = None,
     skip_bad_rows: bool = False,
     threads: int | None = None,
+    contact: WheelRailModel | None = None,
+    normal: str | None = None,
+    pressure_limit: float = math.inf,
+    progress: Progress | None = None,
 ) -> DamageReport:
     """Wear and rolling contact fatigue of all wheels of a run.
 
-    Every contact state is solved again on a fine grid for its stresses and slip.
+    Every contact state is solved again on a fine grid for its stresses and slip: by the strips of the run
+    where its contact is given and was that of coupled strips, else by the equivalent ellipse of the log.
 
-    Twelve arguments: settings of `damage.model.DamageModel` from `material` on, each with a default, so that
+    Sixteen arguments: settings of `damage.model.DamageModel` from `material` on, each with a default, so that
     a call names only those that differ.
 
     Parameters
@@ -149,7 +158,8 @@ def assess(
     material
         The wheel steel.
     theory
-        Tangential theory, one of `damage.surface.patch_field.DAMAGE_THEORIES`.
+        Tangential theory, one of `damage.surface.patch_field.DAMAGE_THEORIES`; None takes FaStrip, and the
+        half-space's own where `normal` is "halfspace".
     cells
         Cells of a patch along and across [-].
     law
@@ -172,13 +182,22 @@ def assess(
     threads
         Number of threads; None takes the processors that this process may use. It has no influence on the
         result.
+    contact
+        Profiles and theory of the run: ``case.contact_model()``. A log alone has ellipses.
+    normal
+        Normal contact, one of `damage.surface.normal_contact.NORMAL_CONTACTS`; None: see
+        `damage.surface.normal_contact.chosen_contact`.
+    pressure_limit
+        Upper bound of the pressure of the half-space [Pa]: area grows, force is kept.
+    progress
+        Called with the number of rows that have been summed.
 
     Raises
     ------
     FileNotFoundError
         There is no such run or file.
     ValueError
-        Unknown theory, missing columns, bad rows, patches beyond the grid, both a grid and a profile, or a
+        Unknown theory or normal contact, a choice that does not go together, missing columns, bad rows, patches beyond the grid, both a grid and a profile, or a
         run that does not move.
     """
     if grid is not None and profile is not None:
@@ -189,10 +208,14 @@ def assess(
         grid = LateralGrid() if profile is None else LateralGrid.along(profile)
     if burstow is None and material.yield_strength and material.tensile_strength:
         burstow = Burstow.of(material)
-    model = DamageModel(material, law, theory, cells, flange_angle, grid, patch_grid, burstow)
+    normal, theory = chosen_contact(normal, theory, contact)
+    model = DamageModel(
+        material, law, theory, normal, contact, pressure_limit, cells, flange_angle, grid, patch_grid, burstow
+    )
     bad_rows = BadRows()
     start = time.perf_counter()
-    surface = accumulate(source, model, threads=threads, bad_rows=bad_rows if skip_bad_rows else None)
+    skipped = bad_rows if skip_bad_rows else None
+    surface = accumulate(source, model, threads=threads, bad_rows=skipped, progress=progress)
     wall = time.perf_counter() - start
     if surface.rows == 0:
         raise ValueError(f"the contact log has no good rows: {bad_rows}")

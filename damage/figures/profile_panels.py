@@ -10,8 +10,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
+from damage.patch_strips import FLANGE, TREAD
 from damage.report import DamageReport
-from damage.surface.wheel_surface import FLANGE, TREAD, Wheel
+from damage.surface.wheel_surface import Wheel
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT
 

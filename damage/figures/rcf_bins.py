@@ -13,8 +13,9 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import EngFormatter
 from numpy.typing import NDArray
 
+from damage.patch_strips import FLANGE, TREAD
 from damage.report import DamageReport
-from damage.surface.wheel_surface import FLANGE, TREAD, Wheel, WheelSurface
+from damage.surface.wheel_surface import Wheel, WheelSurface
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT
 

@@ -7,10 +7,10 @@ import pyarrow
 
 from damage.log_input.bad_rows import BadRows, Chunk
 from damage.log_input.contact_source import ContactSource, batches
-from damage.log_input.states import ContactStates
+from damage.log_input.states import POSE_COLUMNS, ContactStates
 
-DAMAGE_COLUMNS = ContactStates._fields
-"""Columns of the contact log that damage needs."""
+DAMAGE_COLUMNS = tuple(name for name in ContactStates._fields if name not in POSE_COLUMNS)
+"""Columns of the contact log that damage needs; with `damage.log_input.states.POSE_COLUMNS` where it rebuilds patches."""
 
 CHUNK_ROWS = 20_000  # bounds the memory of one chunk to a few megabytes
 

@@ -8,7 +8,7 @@ first time for its times alone (`output_clock`).
 """
 
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -16,8 +16,8 @@ import numpy as np
 
 from damage.log_input.bad_rows import BadRows, Chunk
 from damage.log_input.contact_source import ContactSource
-from damage.log_input.contact_states import CHUNK_ROWS, sifted_chunks
-from damage.log_input.states import ContactStates
+from damage.log_input.contact_states import CHUNK_ROWS, DAMAGE_COLUMNS, sifted_chunks
+from damage.log_input.states import ContactStates, states_of
 from hh_exudyn.arrays import FloatArray, IntArray
 
 
@@ -60,7 +60,7 @@ class OutputClock:
         ValueError
             A time that the clock does not hold.
         """
-        states = ContactStates(**chunk)
+        states = states_of(chunk)
         index = np.minimum(np.searchsorted(self.times, states.time), self.times.size - 1)
         if not np.array_equal(self.times[index], states.time):
             raise ValueError("the rows hold times that the clock was not made from")
@@ -100,7 +100,9 @@ class _Times:
         return OutputClock(self.times, np.diff(self.times, prepend=before), self.rows)
 
 
-def output_clock(source: ContactSource, skip_bad_rows: bool = False) -> OutputClock:
+def output_clock(
+    source: ContactSource, skip_bad_rows: bool = False, columns: Sequence[str] = DAMAGE_COLUMNS
+) -> OutputClock:
     """Read the output times of a contact log, in any order.
 
     Parameters
@@ -109,6 +111,8 @@ def output_clock(source: ContactSource, skip_bad_rows: bool = False) -> OutputCl
         The contact log.
     skip_bad_rows
         Bad rows do not count among the rows at a time; the time itself counts, unless it is NaN or infinite.
+    columns
+        That are read: a row is bad by any of them.
 
     Raises
     ------
@@ -116,7 +120,7 @@ def output_clock(source: ContactSource, skip_bad_rows: bool = False) -> OutputCl
         The log has no rows, or no row with a time; or bad rows, unless they are skipped.
     """
     times = _Times()
-    for chunk, good in sifted_chunks(source, bad_rows=BadRows() if skip_bad_rows else None):
+    for chunk, good in sifted_chunks(source, columns, bad_rows=BadRows() if skip_bad_rows else None):
         times.add(_finite(chunk), good["time"])
     return times.clock
 
@@ -126,6 +130,7 @@ def timed_states(
     rows: int = CHUNK_ROWS,
     bad_rows: BadRows | None = None,
     clock: OutputClock | None = None,
+    columns: Sequence[str] = DAMAGE_COLUMNS,
 ) -> Iterator[TimedStates]:
     """The contact log in pieces, each row with its output interval, in one pass.
 
@@ -136,6 +141,8 @@ def timed_states(
     clock
         Output times of the whole log where `source` is a piece of it, or is not in order of time; None finds
         them while reading.
+    columns
+        That are read.
 
     Raises
     ------
@@ -145,11 +152,11 @@ def timed_states(
         Missing columns, bad rows, no rows, or times that the clock does not hold.
     """
     if clock is not None:
-        for _, good in sifted_chunks(source, rows=rows, bad_rows=bad_rows):
+        for _, good in sifted_chunks(source, columns, rows, bad_rows):
             yield clock.timed(good)
         return
     times, waiting, latest = _Times(), deque[Chunk](), -np.inf
-    for chunk, good in sifted_chunks(source, rows=rows, bad_rows=bad_rows):
+    for chunk, good in sifted_chunks(source, columns, rows, bad_rows):
         seen = _finite(chunk)
         if np.any(np.diff(seen, prepend=latest) < 0.0):
             raise OutOfOrder

@@ -42,7 +42,15 @@ class ContactStates(NamedTuple):
     force_x: FloatArray
     force_y: FloatArray
     moment_z: FloatArray
+    s: FloatArray
+    angle_of_attack: FloatArray
+    centre_y: FloatArray
+    centre_z: FloatArray
+    roll: FloatArray
 
+
+POSE_COLUMNS = ("s", "angle_of_attack", "centre_y", "centre_z", "roll")
+"""Columns of the wheel's pose on its rail: needed where patches are rebuilt from the profiles, else NaN."""
 
 LOAD_COLUMNS = ("a", "b", "normal_force", "nu_x", "nu_y", "phi", "friction")
 """Columns that determine stress and slip of a patch."""
@@ -80,6 +88,12 @@ def patch_of(states: ContactStates, row: int, elastic: Elastic) -> RollingPatch:
     )  # fmt: skip
 
 
+def states_of(columns: Mapping[str, FloatArray]) -> ContactStates:
+    """Contact states from columns as they are; those that are not given are NaN."""
+    unused = np.full(next(iter(columns.values())).size, np.nan)
+    return ContactStates._make(columns.get(name, unused) for name in ContactStates._fields)
+
+
 def contact_states(
     given: Mapping[str, Any] | pyarrow.Table, columns: Iterable[str] = WEAR_COLUMNS
 ) -> ContactStates:
@@ -110,8 +124,7 @@ def contact_states(
     found = {name: np.array(array, ndmin=1) for name, array in zip(wanted, arrays, strict=True)}
     for name, values in found.items():
         _check(name, values)
-    unused = np.full(found[wanted[0]].size, np.nan)
-    return ContactStates._make(found.get(name, unused) for name in ContactStates._fields)
+    return states_of(found)
 
 
 def _check(name: str, values: FloatArray) -> None:

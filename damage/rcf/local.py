@@ -125,8 +125,8 @@ def strip_indices(
 def strip_fatigue(fields: Fields, shear_yield: float, friction: float, fatigue_index: FloatArray) -> None:
     """Largest FI_local of every strip, zero where none is above zero (kernel, trusts its input).
 
-    A faster `strip_indices` for the loop over a log: where friction times the pressure in a strip's
-    middle, its largest, is below k, no cell has an index above zero.
+    A faster `strip_indices` for the loop over a log: where friction times the largest pressure of a
+    strip is below k, no cell has an index above zero.
 
     Parameters
     ----------
@@ -140,7 +140,10 @@ def strip_fatigue(fields: Fields, shear_yield: float, friction: float, fatigue_i
     for strip in range(cells_y):
         pressure, q_x, q_y = fields.pressure[strip], fields.q_x[strip], fields.q_y[strip]
         best = 0.0
-        if _ROUNDED_UP * friction * pressure[cells_x // 2] > shear_yield:
+        highest = 0.0
+        for cell in range(cells_x):
+            highest = max(highest, pressure[cell])
+        if _ROUNDED_UP * friction * highest > shear_yield:
             # From there towards larger values; root and division of (|q| - k)/p for a better cell only
             for direction in (0, -1, 1):
                 cell = worst + direction

@@ -13,7 +13,7 @@ is the same to the last bit however many threads there are.
 
 import os
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import replace
 from typing import NamedTuple
@@ -22,22 +22,41 @@ import numpy as np
 
 from damage.log_input.bad_rows import BadRows
 from damage.log_input.contact_source import ContactSource
-from damage.log_input.contact_states import CHUNK_ROWS
+from damage.log_input.contact_states import CHUNK_ROWS, DAMAGE_COLUMNS
 from damage.log_input.output_clock import OutOfOrder, OutputClock, TimedStates, output_clock, timed_states
-from damage.log_input.states import ContactStates, Elastic
+from damage.log_input.states import POSE_COLUMNS, ContactStates, Elastic, patch_of
 from damage.model import DamageModel
+from damage.patch_strips import FLANGE, TREAD
 from damage.rcf.number import COLUMNS, CORRECTED, COUNTED, ENERGY, Bins
 from damage.rcf.surface_index import surface_fatigue_index
-from damage.surface.contact_sums import Placed, Solving, Sums, add_states, work_space
+from damage.surface.contact_sums import (
+    Placed,
+    Solving,
+    Sums,
+    Work,
+    add_patch,
+    add_states,
+    turning_of,
+    work_space,
+)
+from damage.surface.halfspace_patch import EllipseSolver, WheelSolver, places_between
+from damage.surface.normal_contact import ELLIPSE, HALFSPACE, STRIPS
 from damage.surface.patch_field import DAMAGE_THEORIES
-from damage.surface.wheel_surface import FLANGE, TREAD, Wheel, WheelSurface
+from damage.surface.rebuilt_sums import add_rebuilt, rebuild_work, rebuilding
+from damage.surface.wheel_surface import Wheel, WheelSurface
 from damage.wear.energy import wear_number
 from hh_exudyn.arrays import FloatArray, IntArray
+from hh_exudyn.contact.strips.table import CAPACITY
 
 BLOCK_ROWS = 2500  # rows of a block: some 50 ms of work; the sums depend on it in the last digits
+HALFSPACE_ROWS = 50  # of the half-space: a second; the first of a block begins from nothing
 
+_STRIPS_STEP = 32  # of the sizes of work spaces
 _COUNTED = {"rcf_number": COUNTED, "corrected_rcf_number": CORRECTED, "energy": ENERGY}  # columns of `counts`
-_SUMMED = tuple(name for name in Sums._fields if name != "counts")
+_SUMMED = tuple(name for name in Sums._fields if name not in ("counts", "pressure_by_part"))
+
+
+Progress = Callable[[int], None]
 
 
 class Block(NamedTuple):
@@ -55,6 +74,7 @@ def accumulate(
     chunk_rows: int = CHUNK_ROWS,
     threads: int | None = None,
     bad_rows: BadRows | None = None,
+    progress: Progress | None = None,
 ) -> WheelSurface:
     """Sum a contact log on the surfaces of its wheels.
 
@@ -74,32 +94,39 @@ def accumulate(
         influence on the result.
     bad_rows
         Impossible rows are skipped and counted in it; None raises.
+    progress
+        Called with the number of rows that have been summed.
 
     Raises
     ------
     ValueError
-        Bad rows in the log, patches beyond the grids, or threads below 1.
+        Bad rows in the log, patches beyond the grids, poses in which nothing touches, or threads below 1.
     """
     if threads is None:
         threads = usable_processors()
     if threads < 1:
         raise ValueError(f"threads = {threads} must be at least 1")
+    columns = DAMAGE_COLUMNS if model.normal == ELLIPSE else (*DAMAGE_COLUMNS, *POSE_COLUMNS)
     try:
-        return _sum(timed_states(source, chunk_rows, bad_rows, clock), model, threads)
+        return _sum(timed_states(source, chunk_rows, bad_rows, clock, columns), model, threads, progress)
     except OutOfOrder:
-        clock = output_clock(source, skip_bad_rows=bad_rows is not None)
+        clock = output_clock(source, bad_rows is not None, columns)
     if bad_rows is not None:
         bad_rows.clear()
-    return _sum(timed_states(source, chunk_rows, bad_rows, clock), model, threads)
+    return _sum(timed_states(source, chunk_rows, bad_rows, clock, columns), model, threads, progress)
 
 
-def _sum(pieces: Iterator[TimedStates], model: DamageModel, threads: int) -> WheelSurface:
+def _sum(
+    pieces: Iterator[TimedStates], model: DamageModel, threads: int, progress: Progress | None
+) -> WheelSurface:
     """The sums over all pieces of a log."""
     total = WheelSurface.zero((), model.grid, model.patch_grid)
     with ThreadPoolExecutor(threads) as pool:
         for piece in pieces:
             part, wheel, placed = _piece_sums(piece, model)
-            _add_blocks(pool, _blocks(piece.states, placed, wheel), model, part, 2 * threads)
+            size = HALFSPACE_ROWS if model.theory == "halfspace" else BLOCK_ROWS
+            blocks = _blocks(piece.states, placed, wheel, size)
+            _add_blocks(pool, blocks, model, part, 2 * threads, total.rows, progress)
             total = total + part
     return total
 
@@ -111,12 +138,13 @@ def usable_processors() -> int:
     return os.cpu_count() or 1
 
 
-def _blocks(states: ContactStates, placed: Placed, wheel: IntArray) -> Iterator[Block]:
-    """The states in blocks of `BLOCK_ROWS`, wheel by wheel, each with the index of its wheel."""
+def _blocks(states: ContactStates, placed: Placed, wheel: IntArray, size: int) -> Iterator[Block]:
+    """The states in blocks of `size` rows, wheel by wheel, each with the index of its wheel."""
     order = np.argsort(wheel, kind="stable")
     for rows in np.split(order, np.flatnonzero(np.diff(wheel[order])) + 1):
-        for first in range(0, rows.size, BLOCK_ROWS):
-            block = rows[first : first + BLOCK_ROWS]
+        new = np.flatnonzero(np.diff(states.time[rows], prepend=np.nan) != 0.0)  # one time in one block
+        starts = new[np.diff(new // size, prepend=-1) > 0]
+        for block in np.split(rows, starts[1:]):
             yield Block(
                 int(wheel[block[0]]),
                 ContactStates._make(column[block] for column in states),
@@ -130,20 +158,31 @@ def _add_blocks(
     model: DamageModel,
     surface: WheelSurface,
     waiting: int,
+    done: int,
+    progress: Progress | None,
 ) -> None:
     """Sum the blocks and add them to the surface in order; at most `waiting` sums are held."""
-    pending: deque[tuple[int, Future[Sums]]] = deque()
+    pending: deque[tuple[Block, Future[Sums]]] = deque()
 
     def collect() -> None:
-        wheel, future = pending.popleft()
-        block = future.result()
+        nonlocal done
+        own, future = pending.popleft()
+        block, wheel = future.result(), own.wheel
+        index, interval, part = own.placed.fatigue_index, own.placed.interval, own.placed.part
+        np.add.at(surface.positive_time[wheel], part, np.where(index > 0.0, interval, 0.0))
+        np.add.at(surface.index_area[wheel], part, np.maximum(index, 0.0) * interval)
+        done += index.size
+        if progress is not None:
+            progress(done)
         for name in _SUMMED:
             getattr(surface, name)[wheel] += getattr(block, name)
+        highest = surface.pressure_by_part[wheel]
+        np.maximum(highest, block.pressure_by_part, out=highest)
         for name, column in _COUNTED.items():
             getattr(surface, name)[wheel] += block.counts[..., column]
 
     for block in blocks:
-        pending.append((block.wheel, pool.submit(_block_sums, block, surface.wheels[block.wheel], model)))
+        pending.append((block, pool.submit(_block_sums, block, surface.wheels[block.wheel], model)))
         if len(pending) >= waiting:
             collect()
     while pending:
@@ -154,7 +193,7 @@ def _block_sums(block: Block, wheel: Wheel, model: DamageModel) -> Sums:
     """Sums over the states of a block, from zero."""
     zero = WheelSurface.zero((wheel,), model.grid, model.patch_grid)
     counts = np.zeros((*zero.rcf_number.shape[1:], COLUMNS))
-    sums = Sums(**{name: getattr(zero, name)[0] for name in _SUMMED}, counts=counts)
+    sums = Sums(*(getattr(zero, name)[0] for name in Sums._fields[:-1]), counts)
     elastic, grid, along = model.material.elastic, model.grid, model.patch_grid
     solving = Solving(
         DAMAGE_THEORIES[model.theory],
@@ -164,8 +203,44 @@ def _block_sums(block: Block, wheel: Wheel, model: DamageModel) -> Sums:
         model.limits,
         Bins(grid.start, grid.step, along.start, along.step),
     )
-    add_states(block.states, block.placed, solving, work_space(model.cells, along.count), sums)
+    if model.normal == STRIPS and model.contact is not None:
+        work = work_space((model.cells[0], CAPACITY), along.count)
+        rebuild = rebuilding(model.contact, grid, model.flange_angle)
+        bad = add_rebuilt(block.states, block.placed, rebuild, solving, rebuild_work(), work, sums)
+        if bad >= 0:
+            raise ValueError(
+                f"contact log: wheel and rail do not touch at y_wheel = {block.states.y_wheel[bad] * 1e3:.2f} mm, "
+                f"time = {block.states.time[bad]:.6g} s: other profiles were in the run"
+            )
+    elif model.theory == "halfspace":
+        solver: WheelSolver | EllipseSolver = EllipseSolver(model.cells)
+        if model.normal == HALFSPACE and model.contact is not None:
+            solver = WheelSolver(model.contact, grid, model.flange_angle, model.pressure_limit, elastic)
+        _add_solved(block, solver, solving, along.count, sums)
+    else:
+        add_states(block.states, block.placed, solving, work_space(model.cells, along.count), sums)
     return sums
+
+
+def _add_solved(
+    block: Block, solver: WheelSolver | EllipseSolver, solving: Solving, bins_along: int, sums: Sums
+) -> None:
+    """Add the states of a block, each solved by the half-space; their fatigue indices follow from it too."""
+    states, placed = block.states, block.placed
+    spaces: dict[tuple[int, int], Work] = {}
+    loaded = np.flatnonzero(states.normal_force > 0.0)
+    for rows in np.split(loaded, np.flatnonzero(np.diff(states.time[loaded])) + 1):
+        for row, solved in zip(rows, solver.solve(states, placed, rows, solving), strict=True):
+            strips, along = solved.fields.pressure.shape
+            size = along, -(-strips // _STRIPS_STEP) * _STRIPS_STEP
+            if size not in spaces:
+                spaces[size] = work_space(size, bins_along)
+            bearing = 2.0 / 3.0 * solved.area * solving.shear_yield
+            placed.fatigue_index[row] = (solved.force - bearing) / states.normal_force[row]  # (3.16)
+            np.maximum.at(sums.pressure_by_part, solved.strips.part, solved.max_pressure)
+            turning = turning_of(states, row, placed.interval[row], placed.fatigue_index[row])
+            patch = patch_of(states, row, solving.elastic)
+            add_patch(patch, solved.area, solved.strips, solved.fields, turning, solving, spaces[size], sums)
 
 
 def _piece_sums(piece: TimedStates, model: DamageModel) -> tuple[WheelSurface, IntArray, Placed]:
@@ -181,18 +256,17 @@ def _piece_sums(piece: TimedStates, model: DamageModel) -> tuple[WheelSurface, I
     lost = wear_number(states.force_x, states.force_y, states.moment_z, states.nu_x, states.nu_y, states.phi)
     empty = WheelSurface.zero(wheels, model.grid, model.patch_grid)
     np.add.at(empty.patch_time, (wheel, part), interval)
-    np.add.at(empty.positive_time, (wheel, part), np.where(index > 0.0, interval, 0.0))
-    np.add.at(empty.index_area, (wheel, part), np.maximum(index, 0.0) * interval)
     np.add.at(empty.friction_area, (wheel, part), states.friction * interval)
     np.add.at(empty.work, wheel, lost * states.speed * interval)
-    np.maximum.at(empty.max_pressure, wheel, states.p_max)
     sums = replace(  # the rows of one output time share its interval, so time and distance add up in any cut
         empty,
         rows=wheel.size,
         time=float(np.sum(interval / sharing)),
         distance=float(np.sum(states.speed * interval / sharing)),
     )
-    return sums, wheel, Placed(part.astype(np.int64), interval, index, position, stretch)
+    lowest, highest = places_between(states, wheel)
+    placed = Placed(part.astype(np.int64), interval, index, position, stretch, lowest, highest)
+    return sums, wheel, placed
 
 
 def _wheels(states: ContactStates) -> tuple[tuple[Wheel, ...], IntArray]:
@@ -208,8 +282,11 @@ def _wheels(states: ContactStates) -> tuple[tuple[Wheel, ...], IntArray]:
 def _check_on_grid(
     states: ContactStates, position: FloatArray, stretch: FloatArray, model: DamageModel
 ) -> None:
-    """Raise ValueError for patches that reach beyond the bins, as part of their damage would be lost."""
-    reach = states.b * stretch
+    """Raise ValueError for patches that reach beyond the bins, as part of their damage would be lost.
+
+    Strips on the profile lie on any grid of it: only an ellipse reaches beyond its ends.
+    """
+    reach = states.b * stretch if model.normal == ELLIPSE else np.zeros(states.b.size)
     loaded = states.normal_force > 0.0
     across, along = model.grid.edges, model.patch_grid.edges
     for what, low, high, edges in (

@@ -5,17 +5,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from damage.cells import cell_middle
 from damage.log_input.states import ContactStates, Elastic, patch_of
+from damage.patch_strips import PatchStrips, ellipse_strips, place_strips, strips_space
 from damage.rcf.burstow import BurstowLimits
 from damage.rcf.local import strip_fatigue
 from damage.rcf.miner import kabo_damage
-from damage.rcf.number import Bins, CountWork, Spot, count_patch, count_work
+from damage.rcf.number import Bins, CountWork, count_patch, count_work
 from damage.surface.lateral_grid import spread
 from damage.surface.patch_field import patch_field
 from damage.wear.law import REGIMES, LawValues, SolvedPatch
 from hh_exudyn.arrays import FloatArray, IntArray
-from hh_exudyn.contact.types import Fields
+from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import inlined_kernel, kernel
 
 
@@ -27,12 +27,14 @@ class Placed(NamedTuple):
     fatigue_index: FloatArray  # FI_surf [-]
     position: FloatArray  # coordinate on the grid [m]
     stretch: FloatArray  # length in that coordinate over length across the patch [-]
+    lowest: FloatArray  # place on the wheel where another patch of it may begin [m]
+    highest: FloatArray
 
 
 class Sums(NamedTuple):
     """Sums of one wheel: arrays of a `WheelSurface` without the axis of the wheels, and the counts."""
 
-    depth: FloatArray  # (B,)
+    depth_by_part: FloatArray  # (2, B)
     worn_area: FloatArray  # (B,)
     worn_volume: FloatArray  # (REGIMES,)
     contact_time: FloatArray  # (2, B)
@@ -41,6 +43,7 @@ class Sums(NamedTuple):
     fatigue_revolutions: FloatArray  # (2, B)
     ratchet_revolutions: FloatArray  # (2, B)
     crack_damage: FloatArray  # (2, B)
+    pressure_by_part: FloatArray  # (2,)
     counts: FloatArray  # (2, B, X, COLUMNS) `WheelSurface`'s rcf_number, corrected_rcf_number and energy
 
 
@@ -55,9 +58,21 @@ class Solving(NamedTuple):
     bins: Bins
 
 
+class Turning(NamedTuple):
+    """How long and how far the wheel rolls on a patch."""
+
+    speed: float  # [m/s]
+    rolling_radius: float  # [m]
+    interval: float  # [s]
+    rolled: float  # [m]
+    revolutions: float  # [-]
+    fatigued: bool  # whether FI_surf is above zero
+
+
 class Work(NamedTuple):
     """Work space of one thread."""
 
+    strips: PatchStrips  # (ny,)
     fields: Fields  # (ny, nx)
     depth: FloatArray  # (ny, REGIMES)
     fatigue_index: FloatArray  # (ny,)
@@ -76,6 +91,7 @@ def work_space(cells: tuple[int, int], bins_along: int) -> Work:
     """
     nx, ny = cells
     return Work(
+        strips_space(ny),
         Fields(*np.zeros((5, ny, nx))),
         np.zeros((ny, REGIMES)),
         np.zeros(ny),
@@ -85,7 +101,7 @@ def work_space(cells: tuple[int, int], bins_along: int) -> Work:
 
 @kernel
 def add_states(states: ContactStates, placed: Placed, solving: Solving, work: Work, sums: Sums) -> None:
-    """Add the states of a wheel to its sums (kernel, allocates nothing).
+    """Add the states of a wheel, each by its equivalent ellipse, to its sums (kernel, allocates nothing).
 
     Parameters
     ----------
@@ -98,76 +114,127 @@ def add_states(states: ContactStates, placed: Placed, solving: Solving, work: Wo
     sums
         Result, added to.
     """
-    law = solving.law
     for row in range(placed.part.size):
         if states.normal_force[row] <= 0.0:
             continue  # contact without force: no pressure, no wear, no fatigue
-        part, interval, stretch = placed.part[row], placed.interval[row], placed.stretch[row]
-        speed, radius = states.speed[row], states.rolling_radius[row]
-        rolled = speed * interval
-        revolutions = rolled / (2.0 * math.pi * radius)
-        spot = Spot(placed.position[row], -states.side[row] * stretch, revolutions, rolled)
-        width = 2.0 * states.b[row] * stretch
-        _add_time(
-            spot, width, interval, solving.bins, sums.contact_time[part], sums.contact_revolutions[part]
-        )
-        if placed.fatigue_index[row] > 0.0:
-            _add_time(
-                spot, width, interval, solving.bins, sums.fatigue_time[part], sums.fatigue_revolutions[part]
-            )
-        if rolled <= 0.0:
-            continue
-        patch = patch_of(states, row, solving.elastic)
-        patch_field(solving.theory, patch, states.force_x[row], states.force_y[row], work.fields)
-        law.depths(law.numbers, SolvedPatch(patch, work.fields, speed, radius), work.depth)
-        strip_fatigue(work.fields, solving.shear_yield, patch.friction, work.fatigue_index)
-        count_patch(
-            patch, work.fields, work.fatigue_index, solving.shear_yield, solving.limits, spot, solving.bins,
-            work.counting, sums.counts[part],
-        )  # fmt: skip
-        _add_strips(patch.b, spot, solving.bins, part, work, sums)
+        patch, part = patch_of(states, row, solving.elastic), placed.part[row]
+        turning = turning_of(states, row, placed.interval[row], placed.fatigue_index[row])
+        area = ellipse_strips(patch, work.strips)
+        across = -states.side[row] * placed.stretch[row]
+        place_strips(patch.b, placed.position[row], across, part, work.strips)
+        sums.pressure_by_part[part] = max(sums.pressure_by_part[part], states.p_max[row])
+        if turning.rolled > 0.0:
+            patch_field(solving.theory, patch, states.force_x[row], states.force_y[row], work.fields)
+        add_patch(patch, area, work.strips, work.fields, turning, solving, work, sums)
 
 
 @inlined_kernel
-def _add_time(
-    spot: Spot, width: float, interval: float, bins: Bins, time: FloatArray, revolutions: FloatArray
-) -> None:
-    """Add the time and the revolutions of a state to the bins that its patch covers."""
-    spread(spot.position, width, interval, bins.start, bins.step, time)
-    spread(spot.position, width, spot.revolutions, bins.start, bins.step, revolutions)
+def turning_of(states: ContactStates, row: int, interval: float, fatigue_index: float) -> Turning:
+    """The `Turning` of a row (kernel).
+
+    Parameters
+    ----------
+    states, row
+        Contact states, and the number of one.
+    interval
+        Its output interval [s].
+    fatigue_index
+        FI_surf [-].
+    """
+    speed, radius = states.speed[row], states.rolling_radius[row]
+    rolled = speed * interval
+    return Turning(speed, radius, interval, rolled, rolled / (2.0 * math.pi * radius), fatigue_index > 0.0)
 
 
 @kernel
-def _add_strips(b: float, spot: Spot, bins: Bins, part: int, work: Work, sums: Sums) -> None:
+def add_patch(
+    patch: RollingPatch,
+    area: float,
+    strips: PatchStrips,
+    fields: Fields,
+    turning: Turning,
+    solving: Solving,
+    work: Work,
+    sums: Sums,
+) -> None:
+    """Add the wear and the fatigue of a solved patch to the sums of its wheel (kernel, allocates nothing).
+
+    Parameters
+    ----------
+    patch
+        Loads and friction.
+    area
+        Of contact [m^2].
+    strips, fields
+        Its (n,) strips on the wheel and their (n, nx) stress and slip; fields are not read where nothing
+        rolls.
+    turning
+        How long and how far it rolls.
+    solving
+        Steel, wear law and bins.
+    work
+        Work space for as many strips, or more.
+    sums
+        Result, added to.
+    """
+    _add_times(strips, turning, solving.bins, sums)
+    if turning.rolled <= 0.0:
+        return
+    law, count = solving.law, strips.width.size
+    depth, fatigue_index = work.depth[:count], work.fatigue_index[:count]
+    solved = SolvedPatch(patch, strips, area, fields, turning.speed, turning.rolling_radius)
+    law.depths(law.numbers, solved, depth)
+    strip_fatigue(fields, solving.shear_yield, patch.friction, fatigue_index)
+    count_patch(
+        strips, fields, fatigue_index, solving.shear_yield, solving.limits, turning.revolutions, solving.bins,
+        work.counting, sums.counts,
+    )  # fmt: skip
+    _add_strips(strips, depth, fatigue_index, turning, solving.bins, sums)
+
+
+@kernel
+def _add_times(strips: PatchStrips, turning: Turning, bins: Bins, sums: Sums) -> None:
+    """Add the time and the revolutions of a state to the bins that its strips cover."""
+    for strip in range(strips.width.size):
+        part, centre, width = strips.part[strip], strips.position[strip], strips.covered[strip]
+        time, revolutions = sums.contact_time[part], sums.contact_revolutions[part]
+        spread(centre, width, turning.interval, bins.start, bins.step, time)
+        spread(centre, width, turning.revolutions, bins.start, bins.step, revolutions)
+        if turning.fatigued:
+            time, revolutions = sums.fatigue_time[part], sums.fatigue_revolutions[part]
+            spread(centre, width, turning.interval, bins.start, bins.step, time)
+            spread(centre, width, turning.revolutions, bins.start, bins.step, revolutions)
+
+
+@kernel
+def _add_strips(
+    strips: PatchStrips,
+    depths: FloatArray,
+    fatigue_index: FloatArray,
+    turning: Turning,
+    bins: Bins,
+    sums: Sums,
+) -> None:
     """Add the wear of every strip of a patch, and the damage of its largest index."""
-    cells_y, stretch = work.depth.shape[0], abs(spot.across)
-    width = 2.0 * b / cells_y
-    half = 0.5 * width * stretch / bins.step
-    v0, v1, v2, v3 = 0.0, 0.0, 0.0, 0.0  # by regime, as one vector
-    for strip in range(cells_y):
-        d0, d1, d2, d3 = (
-            work.depth[strip, 0],
-            work.depth[strip, 1],
-            work.depth[strip, 2],
-            work.depth[strip, 3],
-        )
-        v0, v1, v2, v3 = v0 + d0, v1 + d1, v2 + d2, v3 + d3
-        depth = (d0 + d1) + (d2 + d3)
-        depth *= spot.revolutions
-        ratchets = spot.revolutions if work.fatigue_index[strip] > 0.0 else 0.0
-        damage = kabo_damage(work.fatigue_index[strip]) * spot.revolutions
-        middle = (spot.position + spot.across * b * cell_middle(strip, cells_y) - bins.start) / bins.step
-        low, high = middle - half, middle + half
-        for place in range(max(int(low), 0), min(int(high), sums.depth.size - 1) + 1):
+    for strip in range(depths.shape[0]):
+        d0, d1, d2, d3 = depths[strip, 0], depths[strip, 1], depths[strip, 2], depths[strip, 3]
+        volume = strips.width[strip] * turning.rolled
+        sums.worn_volume[0] += d0 * volume
+        sums.worn_volume[1] += d1 * volume
+        sums.worn_volume[2] += d2 * volume
+        sums.worn_volume[3] += d3 * volume
+        depth = ((d0 + d1) + (d2 + d3)) * turning.revolutions
+        part, stretch = strips.part[strip], strips.covered[strip] / strips.width[strip]
+        ratchets = turning.revolutions if fatigue_index[strip] > 0.0 else 0.0
+        damage = kabo_damage(fatigue_index[strip]) * turning.revolutions
+        width = strips.covered[strip] / bins.step
+        low = (strips.position[strip] - bins.start) / bins.step - 0.5 * width
+        high = low + width
+        for place in range(max(int(low), 0), min(int(high), sums.worn_area.size - 1) + 1):
             covered = min(high, place + 1.0) - max(low, float(place))
-            sums.depth[place] += depth * covered
+            sums.depth_by_part[part, place] += depth * covered
             # the depth is normal to the surface, which is wider than its projection on the lateral coordinate
             sums.worn_area[place] += depth * covered * bins.step / stretch
             if ratchets > 0.0:
                 sums.ratchet_revolutions[part, place] += ratchets * covered
                 sums.crack_damage[part, place] += damage * covered
-    volume = width * spot.rolled
-    sums.worn_volume[0] += v0 * volume
-    sums.worn_volume[1] += v1 * volume
-    sums.worn_volume[2] += v2 * volume
-    sums.worn_volume[3] += v3 * volume

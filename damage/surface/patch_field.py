@@ -10,13 +10,17 @@ import math
 
 from damage.cells import cell_middle
 from hh_exudyn.contact.normal.hertz import peak_pressure
-from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel
+from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, HALFSPACE, THEORIES, field_kernel
 from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel
 
 FULL_SLIP = 0  # not a number of `registry.THEORIES`
-DAMAGE_THEORIES: dict[str, int] = {name: THEORIES[name] for name in FIELD_THEORIES} | {"full_slip": FULL_SLIP}
-"""Theories for the stress and slip of a contact state: name to number."""
+DAMAGE_THEORIES: dict[str, int] = {name: THEORIES[name] for name in FIELD_THEORIES} | {
+    "full_slip": FULL_SLIP,
+    "halfspace": HALFSPACE,
+}
+"""Theories for the stress and slip of a contact state: name to number; the half-space is no kernel
+(`damage.surface.halfspace_patch`)."""
 
 
 def theory_number(theory: str) -> int:
@@ -59,7 +63,7 @@ def patch_field(theory: int, patch: RollingPatch, force_x: float, force_y: float
     Parameters
     ----------
     theory
-        A value of `DAMAGE_THEORIES`.
+        A value of `DAMAGE_THEORIES`, but not the half-space's.
     patch
         The patch; its normal force is above zero.
     force_x, force_y

@@ -14,11 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from damage.bounds import check_not_below_zero
+from damage.patch_strips import FLANGE
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
 from damage.wear.law import REGIMES
 
 DEFAULT_PATCH_GRID = PatchGrid()
-TREAD, FLANGE = 0, 1  # columns of the arrays that separate contact on the tread and on the flange
 
 
 class Wheel(NamedTuple):
@@ -50,8 +50,8 @@ class WheelSurface:
         Their time in all [s].
     distance
         Distance rolled in that time [m].
-    depth
-        (W, B) wear depth normal to the surface [m].
+    depth_by_part
+        (W, 2, B) wear depth normal to the surface [m], by contact on the tread and on the flange.
     worn_area
         (W, B) worn area of the cross-section [m^2].
     worn_volume
@@ -85,8 +85,8 @@ class WheelSurface:
         (W, 2) time integral of the friction coefficient: the largest area that the index could have [s].
     work
         (W,) energy lost in creepage [J].
-    max_pressure
-        (W,) largest Hertz pressure [Pa].
+    pressure_by_part
+        (W, 2) largest pressure on the tread and on the flange [Pa].
     """
 
     grid: LateralGrid
@@ -95,7 +95,7 @@ class WheelSurface:
     rows: int
     time: float
     distance: float
-    depth: NDArray[np.float64]
+    depth_by_part: NDArray[np.float64]
     worn_area: NDArray[np.float64]
     worn_volume: NDArray[np.float64]
     contact_time: NDArray[np.float64]
@@ -112,7 +112,7 @@ class WheelSurface:
     index_area: NDArray[np.float64]
     friction_area: NDArray[np.float64]
     work: NDArray[np.float64]
-    max_pressure: NDArray[np.float64]
+    pressure_by_part: NDArray[np.float64]
 
     @classmethod
     def zero(
@@ -135,7 +135,7 @@ class WheelSurface:
             rows=0,
             time=0.0,
             distance=0.0,
-            depth=np.zeros((count, bins)),
+            depth_by_part=np.zeros((count, 2, bins)),
             worn_area=np.zeros((count, bins)),
             worn_volume=np.zeros((count, REGIMES)),
             contact_time=np.zeros((count, 2, bins)),
@@ -152,7 +152,7 @@ class WheelSurface:
             index_area=np.zeros((count, 2)),
             friction_area=np.zeros((count, 2)),
             work=np.zeros(count),
-            max_pressure=np.zeros(count),
+            pressure_by_part=np.zeros((count, 2)),
         )
 
     def __add__(self, other: "WheelSurface") -> "WheelSurface":
@@ -178,8 +178,8 @@ class WheelSurface:
             place = slice(None) if same else [wheels.index(wheel) for wheel in part.wheels]
             for field in fields(self):
                 values = getattr(part, field.name)
-                if field.name == "max_pressure":
-                    total.max_pressure[place] = np.maximum(total.max_pressure[place], values)
+                if field.name == "pressure_by_part":
+                    total.pressure_by_part[place] = np.maximum(total.pressure_by_part[place], values)
                 elif isinstance(values, np.ndarray):
                     getattr(total, field.name)[place] += values
         return replace(
@@ -203,7 +203,7 @@ class WheelSurface:
         sums = {
             field.name: weight * getattr(self, field.name)
             for field in fields(self)
-            if field.name not in ("grid", "patch_grid", "wheels", "rows", "max_pressure")
+            if field.name not in ("grid", "patch_grid", "wheels", "rows", "pressure_by_part")
         }
         return replace(self, **sums)
 
@@ -230,6 +230,18 @@ class WheelSurface:
         """(W, 2, B) energy lost per area of the wheel's surface [J/m^2]."""
         density: NDArray[np.float64] = self.energy.sum(axis=3) * self.patch_grid.step
         return density
+
+    @property
+    def depth(self) -> NDArray[np.float64]:
+        """(W, B) wear depth normal to the surface, of tread and flange contact together [m]."""
+        depth: NDArray[np.float64] = self.depth_by_part.sum(axis=1)
+        return depth
+
+    @property
+    def max_pressure(self) -> NDArray[np.float64]:
+        """(W,) largest pressure [Pa]."""
+        pressure: NDArray[np.float64] = self.pressure_by_part.max(axis=1, initial=0.0)
+        return pressure
 
     @property
     def depth_per_km(self) -> NDArray[np.float64]:

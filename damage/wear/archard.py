@@ -18,7 +18,6 @@ import math
 from dataclasses import replace
 from typing import NamedTuple
 
-from damage.cells import cell_middle
 from damage.parameters import parameters
 from damage.wear.jendel import JENDEL_REGIMES, JendelMap, MapValues, wear_coefficient, wear_regime
 from damage.wear.law import REGIMES, SolvedPatch, WearLaw, require_known
@@ -97,7 +96,7 @@ def read_archard(numbers: FloatArray) -> ArchardValues:
 @kernel
 def archard_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
     """Wear depth on the wheel per revolution, by strip and region of the map; arguments: `LawKernel`."""
-    patch, speed = solved.patch, solved.speed
+    strips, speed = solved.strips, solved.speed
     pressure, slip_x, slip_y = solved.fields.pressure, solved.fields.slip_x, solved.fields.slip_y
     cells_y, cells_x = pressure.shape
     law, step = read_archard(numbers), 2.0 / cells_x
@@ -105,15 +104,13 @@ def archard_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) 
     for j in range(cells_y):
         for regime in range(REGIMES):
             depth[j, regime] = 0.0
-        lateral = cell_middle(j, cells_y)
-        half_length = patch.a * math.sqrt(1.0 - lateral * lateral)
-        rigid_x = patch.nu_x - patch.phi * patch.b * lateral
+        half_length, rigid_x = strips.half_length[j], strips.nu_x[j]
         for i in range(cells_x):
             s_x, s_y = slip_x[j, i], slip_y[j, i]
             square = s_x * s_x + s_y * s_y
             if square > 0.0:
                 if rigid:
-                    rigid_y = patch.nu_y + patch.phi * half_length * ((i + 0.5) * step - 1.0)
+                    rigid_y = strips.nu_y[j] + strips.phi[j] * half_length * ((i + 0.5) * step - 1.0)
                     square = rigid_x * rigid_x + rigid_y * rigid_y
                 slip = math.sqrt(square)
                 regime = wear_regime(pressure[j, i], slip * speed, wear_map)

@@ -14,6 +14,7 @@ import pyarrow
 
 from damage.cells import cell_middles
 from damage.log_input.states import ContactStates, Elastic, contact_states, patch_of
+from damage.patch_strips import PatchStrips, ellipse_strips, strips_space
 from damage.wear.energy import strip_energies
 from damage.wear.law import REGIMES, LawValues, SolvedPatch, WearLaw, require_known
 from hh_exudyn.arrays import FloatArray
@@ -113,7 +114,8 @@ def wear_depths(
     energy = np.zeros((count, cells[1]))
     fields = Fields(*np.zeros((5, cells[1], cells[0])))
     elastic = Elastic(material.shear_modulus, material.poisson_ratio)
-    _wear_states(law.values, columns, THEORIES[theory], elastic, fields, by_regime, energy)
+    strips = strips_space(cells[1])
+    _wear_states(law.values, columns, THEORIES[theory], elastic, strips, fields, by_regime, energy)
     y = columns.b[:, None] * cell_middles(cells[1])[None, :]
     return WearDepths(law, y, 2.0 * columns.b / cells[1], by_regime, energy)
 
@@ -124,6 +126,7 @@ def _wear_states(
     states: ContactStates,
     theory: int,
     elastic: Elastic,
+    strips: PatchStrips,
     fields: Fields,
     by_regime: FloatArray,
     energy: FloatArray,
@@ -132,6 +135,7 @@ def _wear_states(
     for row in range(states.a.size):
         patch = patch_of(states, row, elastic)
         field_kernel(theory, patch, fields)
-        solved = SolvedPatch(patch, fields, states.speed[row], states.rolling_radius[row])
+        area = ellipse_strips(patch, strips)
+        solved = SolvedPatch(patch, strips, area, fields, states.speed[row], states.rolling_radius[row])
         law.depths(law.numbers, solved, by_regime[row])
-        strip_energies(patch, fields, energy[row])
+        strip_energies(strips, fields, energy[row])

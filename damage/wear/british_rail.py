@@ -65,4 +65,4 @@ def british_rail_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatAr
     energy = energies_of_strips(solved, depth)
     if energy > 0.0:
         regime, volume = british_rail_volume(energy, solved.rolling_radius, read_rate(numbers))
-        depths_by_energy(regime, volume, energy, solved.patch, depth)
+        depths_by_energy(regime, volume, energy, solved.strips, depth)

@@ -5,16 +5,14 @@ Tractions and forces act on the wheel and slip is the wheel's relative to the ra
 rolling: the density's sum over the patch is the wear number of the creepages (equation 3.29).
 """
 
-import math
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from damage.cells import cell_middle
+from damage.patch_strips import PatchStrips
 from damage.wear.law import SolvedPatch
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.tangential.api import TractionField
-from hh_exudyn.contact.types import Fields, RollingPatch
+from hh_exudyn.contact.types import Fields
 from hh_exudyn.kernel import inlined_kernel, kernel
 
 
@@ -86,26 +84,24 @@ def rigid_energy_density(field: TractionField, nu_x: float, nu_y: float, phi: fl
 
 
 @kernel
-def strip_energies(patch: RollingPatch, fields: Fields, energies: FloatArray) -> float:
+def strip_energies(strips: PatchStrips, fields: Fields, energies: FloatArray) -> float:
     """Write the energy dissipated per distance rolled in each strip [N]; returns their sum [N] (kernel).
 
     Parameters
     ----------
-    patch, fields
-        The patch and its tractions and slip (ny, nx).
+    strips, fields
+        The strips (ny,) of a patch, and its tractions and slip (ny, nx).
     energies
         (ny,) result [N].
     """
     cells_y, cells_x = fields.pressure.shape
     q_x, q_y, slip_x, slip_y = fields.q_x, fields.q_y, fields.slip_x, fields.slip_y
-    cell = 4.0 * patch.a * patch.b / (cells_x * cells_y)
     total = 0.0
     for j in range(cells_y):
-        lateral = cell_middle(j, cells_y)
         density = 0.0
         for i in range(cells_x):
             density -= q_x[j, i] * slip_x[j, i] + q_y[j, i] * slip_y[j, i]
-        energies[j] = density * cell * math.sqrt(1.0 - lateral * lateral)
+        energies[j] = density * 2.0 * strips.half_length[j] * strips.width[j] / cells_x
         total += energies[j]
     return total
 
@@ -122,7 +118,7 @@ def energies_of_strips(solved: SolvedPatch, depth: FloatArray) -> float:
         (ny, REGIMES) result: the energies of the strips [N] in the first column, the others zero.
     """
     depth[:] = 0.0
-    energy = strip_energies(solved.patch, solved.fields, depth[:, 0])
+    energy = strip_energies(solved.strips, solved.fields, depth[:, 0])
     if energy > 0.0:
         return energy
     depth[:] = 0.0
@@ -131,7 +127,7 @@ def energies_of_strips(solved: SolvedPatch, depth: FloatArray) -> float:
 
 @kernel
 def depths_by_energy(
-    regime: int, volume: float, energy: float, patch: RollingPatch, depth: FloatArray
+    regime: int, volume: float, energy: float, strips: PatchStrips, depth: FloatArray
 ) -> None:
     """Distribute a worn volume over the strips of a patch in proportion to their energies (kernel).
 
@@ -143,15 +139,14 @@ def depths_by_energy(
         Worn off per metre rolled [m^3/m].
     energy
         Dissipated by the whole patch per metre rolled [N], > 0.
-    patch
-        The patch.
+    strips
+        (ny,) strips of the patch.
     depth
         (ny, REGIMES); its first column holds the energies of the strips [N], the others are zero; result:
         wear depth per revolution [m].
     """
-    cells_y = depth.shape[0]
     volume_per_energy = volume / energy
-    for j in range(cells_y):
+    for j in range(depth.shape[0]):
         dissipated = depth[j, 0]
         depth[j, 0] = 0.0
-        depth[j, regime] = dissipated * volume_per_energy * cells_y / (2.0 * patch.b)
+        depth[j, regime] = dissipated * volume_per_energy / strips.width[j]

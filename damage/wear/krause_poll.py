@@ -8,7 +8,6 @@ The work is proportional to the distance rolled (E is per metre rolled). Each st
 volume that it has of the energy.
 """
 
-import math
 from collections.abc import Sequence
 from itertools import pairwise
 
@@ -17,7 +16,6 @@ from damage.wear.energy import depths_by_energy, energies_of_strips
 from damage.wear.law import REGIMES, SolvedPatch, WearLaw
 from damage.wear.rate import Rate, rate_in_regime, rate_numbers, rate_regime, read_rate
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.types import RollingPatch
 from hh_exudyn.kernel import kernel
 
 
@@ -60,21 +58,21 @@ def krause_poll(coefficients: Sequence[float], power_densities: Sequence[float])
 
 
 @kernel
-def krause_poll_volume(energy: float, patch: RollingPatch, speed: float, rate: Rate) -> tuple[int, float]:
+def krause_poll_volume(energy: float, area: float, speed: float, rate: Rate) -> tuple[int, float]:
     """Regime, and worn volume per metre rolled [m^3/m] of the wear number [N] at a speed [m/s].
 
     Parameters
     ----------
     energy
         Wear number [N].
-    patch
-        The patch, for its area.
+    area
+        Of contact [m^2].
     speed
         [m/s].
     rate
         Coefficient over power density, from `read_rate`.
     """
-    regime = rate_regime(energy * speed / (math.pi * patch.a * patch.b), rate)  # (3.32)
+    regime = rate_regime(energy * speed / area, rate)  # (3.32)
     return regime, rate_in_regime(regime, energy, rate)  # (3.31)
 
 
@@ -83,5 +81,5 @@ def krause_poll_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArr
     """Wear depth on the wheel per revolution, by strip and regime; arguments: `LawKernel`."""
     energy = energies_of_strips(solved, depth)
     if energy > 0.0:
-        regime, volume = krause_poll_volume(energy, solved.patch, solved.speed, read_rate(numbers))
-        depths_by_energy(regime, volume, energy, solved.patch, depth)
+        regime, volume = krause_poll_volume(energy, solved.area, solved.speed, read_rate(numbers))
+        depths_by_energy(regime, volume, energy, solved.strips, depth)

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from damage.patch_strips import PatchStrips, strips_space
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.types import Fields, RollingPatch
 from hh_exudyn.kernel import kernel_value
@@ -18,10 +19,10 @@ REGIMES = 4  # columns of a strip's depth, one per regime; columns beyond the re
 class SolvedPatch(NamedTuple):
     """A contact state with its solved patch, for the wear laws."""
 
-    patch: RollingPatch
-    fields: (
-        Fields  # (ny, nx) pressure, traction and slip, of a field kernel of `hh_exudyn.contact.tangential`
-    )
+    patch: RollingPatch  # loads and material; of a patch that is no ellipse, a and b of the equivalent one
+    strips: PatchStrips  # (ny,)
+    area: float  # of contact [m^2]
+    fields: Fields  # (ny, nx) pressure, traction and slip
     speed: float  # forward [m/s], > 0
     rolling_radius: float  # of the wheel at the contact [m], > 0
 
@@ -89,7 +90,9 @@ class WearLaw:
 @cache
 def _values(depths: LawKernel, numbers: tuple[float, ...]) -> LawValues:
     array = np.array(numbers, dtype=np.float64)
-    solved = SolvedPatch(RollingPatch(*[0.0] * 9), Fields(*np.zeros((5, 1, 1))), 0.0, 0.0)
+    solved = SolvedPatch(
+        RollingPatch(*[0.0] * 9), strips_space(1), 0.0, Fields(*np.zeros((5, 1, 1))), 0.0, 0.0
+    )
     return LawValues(kernel_value(depths, array, solved, np.zeros((1, REGIMES))), array)
 
 

@@ -15,10 +15,7 @@ Incorporating a railway wheel wear model into multi-body simulations of wheelset
 stick do not wear.
 """
 
-import math
-
 from damage.bounds import check_above_zero
-from damage.cells import cell_middle
 from damage.parameters import parameters
 from damage.wear.energy import cell_energy, energies_of_strips
 from damage.wear.law import REGIMES, SolvedPatch, WearLaw
@@ -59,28 +56,26 @@ def _rate(density: float) -> tuple[float, ...]:
 @kernel
 def usfd_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
     """Wear depth on the wheel per revolution, by strip and regime; arguments: `LawKernel`."""
-    patch, energy = solved.patch, energies_of_strips(solved, depth)
+    energy = energies_of_strips(solved, depth)
     depth[:] = 0.0
     if not energy > 0.0:
         return  # nothing slips
     cells_y, rate = depth.shape[0], read_rate(numbers)
-    density = energy / (math.pi * patch.a * patch.b)
+    density = energy / solved.area
     regime = rate_regime(density, rate)
     worn = rate_in_regime(regime, density, rate)
     for j in range(cells_y):
-        lateral = cell_middle(j, cells_y)
-        depth[j, regime] = worn * 2.0 * patch.a * math.sqrt(1.0 - lateral * lateral)
+        depth[j, regime] = worn * solved.strips.contact_length[j]
 
 
 @kernel
 def ward_depths(numbers: FloatArray, solved: SolvedPatch, depth: FloatArray) -> None:
     """Wear depth on the wheel per revolution, by strip and regime, from the cells; arguments: `LawKernel`."""
-    patch, fields, rate = solved.patch, solved.fields, read_rate(numbers)
+    fields, rate = solved.fields, read_rate(numbers)
     cells_y, cells_x = fields.pressure.shape
     depth[:] = 0.0
     for j in range(cells_y):
-        lateral = cell_middle(j, cells_y)
-        length = 2.0 * patch.a * math.sqrt(1.0 - lateral * lateral) / cells_x
+        length = 2.0 * solved.strips.half_length[j] / cells_x
         for i in range(cells_x):
             energy = cell_energy(fields, j, i)
             if energy > 0.0:

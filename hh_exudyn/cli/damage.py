@@ -148,7 +148,7 @@ def _figures(run: "Run", report: "DamageReport", distance: float) -> "dict[str, 
     from damage.figures.rcf_bins import rcf_bins_figure
     from damage.figures.rcf_maps import energy_map_figure
     from damage.figures.working_points import shakedown_figure
-    from damage.surface.wheel_surface import TREAD
+    from damage.patch_strips import TREAD
 
     surface, profile = report.surface, _wheel_profile(run)
     figures = {

@@ -10,10 +10,11 @@ from damage.figures.rcf_maps import energy_map_figure, rcf_map_figure
 from damage.log_input.bad_rows import BadRows
 from damage.material import ER7
 from damage.model import DamageModel
+from damage.patch_strips import FLANGE, TREAD
 from damage.rcf.burstow import Burstow
 from damage.report import DamageReport
 from damage.surface.lateral_grid import LateralGrid
-from damage.surface.wheel_surface import FLANGE, TREAD, Wheel, WheelSurface
+from damage.surface.wheel_surface import Wheel, WheelSurface
 from hh_exudyn.contact.profile import wheel_profile
 
 WHEEL = Wheel(1, 1, 1, 1)

@@ -50,6 +50,42 @@ def conformal_slip(
     return slip / speed
 
 
+def slip_of_creepages(
+    contact: ConformalContact, axle: tuple[float, float], creepages: tuple[float, float, float]
+) -> FloatArray:
+    """Rigid slip of every element, (2, ny, nx) [-], of a wheel whose mean creepages are known.
+
+    They are the means over the pressure, as a row of the contact log has them. The wheel is a rigid body: it
+    turns about its axle with (1 - nu_x)/r per metre and about the vertical with what phi has beyond that
+    (`contact.strips.rebuilt`, which does the same for strips).
+
+    Parameters
+    ----------
+    contact : ConformalContact
+        Where wheel and rail touch.
+    axle : tuple of float
+        Components of the axle's direction along y and z of the rail's frame R [-].
+    creepages : tuple of float
+        nu_x [-], nu_y [-], phi [1/m].
+    """
+    nu_x, nu_y, phi = creepages
+    weight = contact.pressure / contact.pressure.sum()
+    load, x = weight.sum(axis=1), contact.x
+    cosine, sine = np.cos(contact.angle), -contact.side * np.sin(contact.angle)  # positive on a left flange
+    along = axle[1] * cosine - axle[0] * sine
+    radius, middle = float(load @ contact.radius), float(weight.sum(axis=0) @ x)
+    rolling = (1.0 - nu_x) / radius
+    turning = (phi - rolling * float(load @ along)) / float(load @ cosine)
+    direction = np.array([load @ cosine, load @ sine])
+    lateral, vertical = nu_y * direction / np.hypot(direction[0], direction[1])
+    ahead = x + _SPIN_SHIFT * contact.influence.grid.dx - middle
+    slip = np.empty((2, *contact.pressure.shape))
+    slip[0] = (nu_x - rolling * (contact.radius - radius))[:, None]
+    slip[1] = (cosine * lateral + sine * vertical)[:, None]
+    slip[1] += (cosine * turning - sine * rolling)[:, None] * ahead
+    return slip
+
+
 def force_on_wheel(contact: ConformalContact, traction: FloatArray | None = None) -> FloatArray:
     """Force of pressure and tractions on the wheel in axes of R [N], (3,).
 

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from damage.material import ER7
+from damage.patch_strips import FLANGE, TREAD
 from damage.rcf.subsurface import (
     defect_fatigue_index,
     defect_fatigue_limit,
@@ -22,7 +23,6 @@ from damage.rcf.surface_index import (
 )
 from damage.report import assess
 from damage.shakedown import point_contact_limit
-from damage.surface.wheel_surface import FLANGE, TREAD
 
 
 @pytest.mark.parametrize(

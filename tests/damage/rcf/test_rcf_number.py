@@ -9,12 +9,13 @@ import pytest
 
 from damage.material import ER7, WheelMaterial
 from damage.model import DamageModel
+from damage.patch_strips import FLANGE, TREAD
 from damage.rcf.burstow import Burstow
 from damage.rcf.miner import kabo_damage
 from damage.report import assess
 from damage.surface.accumulate import accumulate
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
-from damage.surface.wheel_surface import FLANGE, TREAD, WheelSurface
+from damage.surface.wheel_surface import WheelSurface
 from hh_exudyn.contact.tangential.api import traction_field
 
 MakeLog = Callable[..., pyarrow.Table]

@@ -5,9 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from damage.patch_strips import FLANGE, TREAD
 from damage.rcf.wear_and_cracks import CrackLayer, counts_after_wear, remaining_share
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
-from damage.surface.wheel_surface import FLANGE, TREAD, Wheel, WheelSurface
+from damage.surface.wheel_surface import Wheel, WheelSurface
 
 GRID = LateralGrid(start=-0.002, step=0.001, count=4)
 FAILURE_DEPTH = 2e-3  # m

@@ -76,7 +76,7 @@ def test_worn_volume_is_the_integral_over_the_arc(random_log: pyarrow.Table) -> 
 
 
 def _sums(surface: WheelSurface) -> dict[str, np.ndarray]:
-    kept = ("grid", "patch_grid", "wheels", "rows", "max_pressure")
+    kept = ("grid", "patch_grid", "wheels", "rows", "pressure_by_part")
     return {f.name: np.asarray(getattr(surface, f.name)) for f in fields(surface) if f.name not in kept}
 
 
@@ -87,7 +87,7 @@ def test_a_hundred_times_the_distance_is_a_hundred_times_the_damage(random_log: 
     for name, values in _sums(once).items():
         np.testing.assert_allclose(_sums(far)[name], 100.0 * values, rtol=1e-13, err_msg=name)
     assert far.rows == once.rows
-    np.testing.assert_array_equal(far.max_pressure, once.max_pressure)
+    np.testing.assert_array_equal(far.pressure_by_part, once.pressure_by_part)
     time = random_log["time"].to_numpy()
     period = 40 * 0.01  # 40 output times of 10 ms
     again = [random_log.set_column(0, "time", pyarrow.array(time + i * period)) for i in range(3)]

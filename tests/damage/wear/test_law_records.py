@@ -14,6 +14,7 @@ import pyarrow
 import pytest
 from typer.testing import CliRunner
 
+from damage.patch_strips import ellipse_strips, strips_space
 from damage.report import assess
 from damage.wear.batch import wear_depths
 from damage.wear.law import REGIMES, SolvedPatch, WearLaw
@@ -141,7 +142,9 @@ def _depth(law: WearLaw, along: np.ndarray) -> np.ndarray:
     fields.pressure[:] = 800e6
     fields.q_x[:] = -320e6
     fields.slip_x[:] = 0.03 * along
-    law.depths(np.array(law.numbers), SolvedPatch(patch, fields, 15.0, 0.46), depth)
+    strips = strips_space(6)
+    area = ellipse_strips(patch, strips)
+    law.depths(np.array(law.numbers), SolvedPatch(patch, strips, area, fields, 15.0, 0.46), depth)
     return depth
 
 
