@@ -5,6 +5,7 @@ smoothed over about the length of a contact patch before the spline is made.
 """
 
 import math
+from typing import Any
 
 import numpy as np
 from scipy.interpolate import CubicSpline
@@ -122,7 +123,7 @@ def spline_evaluate(table: SplineTable, y: float) -> tuple[float, float, float]:
 
 
 @inlined_kernel
-def spline_behind_node(table: SplineTable, node: int, part: float) -> tuple[float, float, float]:
+def spline_behind_node(table: SplineTable, node: Any, part: float) -> tuple[float, float, float]:
     """`spline_evaluate` where it is known between which nodes; no branches, for vector instructions.
 
     Parameters
