@@ -17,6 +17,7 @@ from hh_exudyn.cli import inputs, output
 from hh_exudyn.cli.names import NamesInHelp
 
 if TYPE_CHECKING:
+    from hh_exudyn.contact.comparison import Comparison
     from hh_exudyn.contact.geometry.merit import ConicityReport
     from hh_exudyn.contact.profile import Profile
     from hh_exudyn.contact.tangential.api import CreepForce, PatchLoad, TractionField
@@ -140,6 +141,17 @@ def validate_contact() -> None:
         )
 
 
+@validate.command("strips")
+def validate_strips() -> None:
+    """Coupled strips against Hertz's ellipses and CONTACT's conformal poses from tread to flange."""
+    with output.errors_in_one_line():
+        from hh_exudyn.contact.strips.validation import strips_table
+
+        with output.status("comparing"):
+            rows = strips_table()
+        _print_comparisons("Coupled strips against numbers from outside", rows)
+
+
 @validate.command("halfspace")
 def validate_halfspace() -> None:
     """The exact half-space solver against Hertz, Johnson and CONTACT: pressure, rolling, wheel on rail."""
@@ -148,22 +160,26 @@ def validate_halfspace() -> None:
 
         with output.status("comparing"):
             rows = halfspace_table()
-        table = output.new_table(
-            "The half-space solver against numbers from outside",
-            ("quantity", "source", "ours", "outside", "deviation [%]", "allowed [%]", "verdict"),
+        _print_comparisons("The half-space solver against numbers from outside", rows)
+
+
+def _print_comparisons(title: str, rows: "list[Comparison]") -> None:
+    """A table with quantity, source, ours, deviation, allowed, verdict."""
+    table = output.new_table(
+        title, ("quantity", "source", "ours", "outside", "deviation [%]", "allowed [%]", "verdict")
+    )
+    for row in rows:
+        table.add_row(
+            escape(row.quantity),
+            row.source,
+            f"{row.found:.4g}",
+            f"{row.wanted:.4g}",
+            output.number(100.0 * row.deviation, 2),
+            output.number(100.0 * row.allowed, 1),
+            "holds" if row.holds else "FAILS",
         )
-        for row in rows:
-            table.add_row(
-                escape(row.quantity),
-                row.source,
-                f"{row.found:.4g}",
-                f"{row.wanted:.4g}",
-                output.number(100.0 * row.deviation, 2),
-                output.number(100.0 * row.allowed, 1),
-                "holds" if row.holds else "FAILS",
-            )
-        output.print_table(table)
-        output.print_line("an error or a worst deviation of many: ours is the deviation itself, outside 0")
+    output.print_table(table)
+    output.print_line("an error or a worst deviation of many: ours is the deviation itself, outside 0")
 
 
 def conicity(

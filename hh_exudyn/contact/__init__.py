@@ -24,6 +24,7 @@ Their composition.
 `wheel_rail`        pose and velocity of wheelsets and rails -> wrenches and patches, in one kernel
 `wheelset`          a wheel or a wheelset at rest on its rails: the height that carries the load
 `patch_shape`       strips and tractions of a logged patch
+`comparison`        a number of ours beside one from outside: rows of `hh-exudyn validate`
 ==================  =================================================================================
 
 Fronts: import paths for callers from outside.

@@ -93,7 +93,7 @@ def _fill(pair: WheelRailPair, strips: FloatArray) -> None:
         y = strips[i, Y_WHEEL]
         z, slope, _ = spline_evaluate(pair.wheel, y)
         x, point_y, point_z, of_wheel = silhouette(pair, y, z, slope)
-        gap, _, _, y_rail, of_rail, _ = gap_at(pair, y)
+        gap, _, y_rail, of_rail, _ = gap_at(pair, y)
         angle = 0.5 * (math.atan(of_wheel) + math.atan(of_rail))
         cosine = math.cos(angle)
         found = math.isfinite(gap) and math.isfinite(angle)

@@ -5,15 +5,13 @@ Outside are closed forms (Hertz; Johnson's stresses below the surface) and what 
 mean deviation of many.
 """
 
-import csv
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from importlib.resources import files
 
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.comparison import Comparison, outside_rows
 from hh_exudyn.contact.halfspace.influence import Grid, Influence
 from hh_exudyn.contact.halfspace.normal import normal_contact, quadratic_overlap
 from hh_exudyn.contact.halfspace.pose import wheel_above_rail
@@ -25,49 +23,11 @@ from hh_exudyn.contact.profile import rail_profile, wheel_profile
 from hh_exudyn.contact.tangential.validation import exact_fields, exact_forces, field_errors, force_error
 from hh_exudyn.conventions import RIGHT
 
-_DATA = files("hh_exudyn") / "data" / "validation"
 _CELLS = 40  # along and across, of the creep forces
 _GRIDS = (40, 52, 64, 76, 88)  # of the creep coefficients
 _FLANGE = 11.6  # mm of y_out, from which pressures are held to 9 %
 _NO_SLIP = 1e6  # bound over the elastic stresses, so that nothing slips
 _CONTACT = "CONTACT rev 2707"
-
-
-@dataclass(frozen=True)
-class Comparison:
-    """One number compared.
-
-    Attributes
-    ----------
-    quantity, source : str
-        What, and where the outside number is from.
-    found, wanted : float
-        Ours and the outside number; of a deviation over many, itself and 0.
-    allowed : float
-        Largest deviation: of the quotient from 1, or of deviations their limit [-].
-    """
-
-    quantity: str
-    source: str
-    found: float
-    wanted: float
-    allowed: float
-
-    @property
-    def deviation(self) -> float:
-        """found / wanted - 1, or what was found where 0 is wanted [-]."""
-        return self.found if self.wanted == 0.0 else self.found / self.wanted - 1.0
-
-    @property
-    def holds(self) -> bool:
-        """Whether the deviation is allowed."""
-        return abs(self.deviation) <= self.allowed
-
-
-def _rows(name: str) -> list[dict[str, str]]:
-    """Rows of a data file."""
-    with (_DATA / name).open(encoding="utf-8") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 
 def _hertz() -> list[Comparison]:
@@ -168,7 +128,7 @@ def _coefficients() -> list[Comparison]:
     """Worst deviation of each coefficient over the ellipses of the file."""
     names = ("C11", "C22", "C23", "C33")
     worst = np.zeros(len(names))
-    for row in _rows("creep_coefficients.csv"):
+    for row in outside_rows("creep_coefficients.csv"):
         material = Material(STEEL.shear_modulus, float(row["nu"]))
         found = creep_coefficients(float(row["a_over_b"]), material, _GRIDS)
         wanted = np.array([float(row[name]) for name in names])
@@ -201,7 +161,7 @@ def _conformal() -> list[Comparison]:
     force: list[float] = []
     root: list[float] = []
     flange: list[float] = []
-    for row in _rows("conformal.csv"):
+    for row in outside_rows("conformal.csv"):
         v = {name: float(value) for name, value in row.items() if name != "given"}
         pair = wheel_above_rail(
             wheel, rail, RIGHT, lateral=-v["y_out"] * 1e-3, height=0.4575 - v["z_ws"] * 1e-3, radius=0.4575,

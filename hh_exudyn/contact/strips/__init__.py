@@ -25,5 +25,6 @@ Called from outside a run.
 ==================  =================================================================================
 `normal`            overlaps, loads and pressures of one pose
 `rebuilt`           the strips behind a row of the contact log
+`validation`        comparison with Hertz and CONTACT
 ==================  =================================================================================
 """

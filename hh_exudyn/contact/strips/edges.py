@@ -82,12 +82,12 @@ def soften_edges(
             for j in range(count):
                 residual[j] += change * row[j]
     for r in range(n):
-        j = np.uint64(numbers[r])
+        here = np.uint64(numbers[r])
         for c in range(n):
             k = np.uint64(numbers[c])
-            matrix[r, c] = influences[k, j] * _slope(z[k], width[k])
-        matrix[r, r] += own[j] * _slope(-z[j], width[j])
-        step[r] = -residual[j]
+            matrix[r, c] = influences[k, here] * _slope(z[k], width[k])
+        matrix[r, r] += own[here] * _slope(-z[here], width[here])
+        step[r] = -residual[here]
     eliminate(n, matrix, step)
     for j in range(count):
         s[Row.LOAD, j] = 0.0

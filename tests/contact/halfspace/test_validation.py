@@ -2,7 +2,8 @@
 
 import pytest
 
-from hh_exudyn.contact.halfspace.validation import Comparison, creep_coefficients, halfspace_table
+from hh_exudyn.contact.comparison import Comparison
+from hh_exudyn.contact.halfspace.validation import creep_coefficients, halfspace_table
 from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.tangential.kalker import kalker_coefficients
 
