@@ -41,7 +41,7 @@ def test_even_tread_wear_needs_no_cut_below_the_hollow() -> None:
 
 
 def test_a_thin_flange_costs_its_loss_times_the_slope_of_its_face() -> None:
-    """A face at 69.2 degrees, 0.5 mm worn normal to it, lies 0.5 / cos 69.2 too high: as much is turned off."""
+    """A face at 69.2 degrees, 0.5 mm worn normal to it, lies 0.5 / cos 69.2 too high: that is turned off."""
     worn, lost = worn_profile(WP4, wear(0.030, 0.049, 0.5e-3 / 100.0), 100e3, smoothing=0.0)
     assert lost == 0.0
     turned = reprofile(worn, RADIUS, WP4)
