@@ -50,7 +50,11 @@ def creep_curve_command(
     ] = None,
     figure: inputs.NewFigure = None,
 ) -> None:
-    """Creep force over creepage and spin, all theories beside the exact half-space: errors, figure, table."""
+    """Creep force over creepage and spin, all theories beside the exact half-space: errors, figure, table.
+
+    \f
+    Fourteen arguments: each is an option of the command.
+    """
     with output.errors_in_one_line():
         inputs.check_range("--a-mm", a_mm, 0.1, 100.0, "mm")
         inputs.check_range("--b-mm", b_mm, 0.1, 100.0, "mm")

@@ -38,17 +38,17 @@ def columns(run: Run) -> dict[str, np.ndarray]:
 
 
 def slope_misfit(rows: dict[str, np.ndarray], inside: np.ndarray, table: SplineTable) -> float:
-    """Mean difference of the logged contact angles from the slope of a rail where they are logged.
+    """Largest difference of the logged contact angles from the slope of a rail where they are logged.
 
-    The angle is that of the strips' resultant, between wheel and rail, at the centre of load: on these treads
-    within a milliradian of the rail's in the mean.
+    Of ellipses: the angle of a run of strips is that of their resultant. It is the mean of wheel and rail.
     """
     places = zip(rows["y_rail"][inside], rows["contact_angle"][inside], strict=True)
-    return float(np.mean([abs(np.arctan(spline_evaluate(table, y)[1]) + angle) for y, angle in places]))
+    return max(abs(np.arctan(spline_evaluate(table, y)[1]) + angle) for y, angle in places)
 
 
 def test_each_rail_where_it_lies(demo: Case, runs: Path) -> None:
     """Before the change the run is that on the first rail; the contacts lie on the rail of their place."""
+    demo = demo.with_changes(contact={"normal": "hertz"})
     rows = columns(simulate(straight(demo, ONE, OTHER), runs / "change"))
     pure = columns(simulate(straight(demo, ONE), runs / "no_change"))
     arrived = rows["time"][rows["s"] > CHANGE - 1.0].min()
@@ -60,9 +60,9 @@ def test_each_rail_where_it_lies(demo: Case, runs: Path) -> None:
     tables = {name: spline_table(rail_profile(name, 1 / 30)) for name in (ONE, OTHER)}
     first, second = rows["s"] <= CHANGE - 1.0, rows["s"] >= CHANGE + 1.0
     assert second.sum() > 50
-    assert slope_misfit(rows, first, tables[ONE]) < 1e-3
-    assert slope_misfit(rows, second, tables[OTHER]) < 1e-3
-    assert slope_misfit(rows, second, tables[ONE]) > 3e-3
+    assert slope_misfit(rows, first, tables[ONE]) < 3e-4
+    assert slope_misfit(rows, second, tables[OTHER]) < 3e-4
+    assert slope_misfit(rows, second, tables[ONE]) > 1e-3
     # the wheel loads pass the ramp without a blow: the rail tops are level
     leading = (rows["wheelset"] == 1) & (rows["patch"] == 0) & (np.abs(rows["s"] - CHANGE) < 1.5)
     assert leading.sum() > 20
@@ -70,7 +70,7 @@ def test_each_rail_where_it_lies(demo: Case, runs: Path) -> None:
     assert np.ptp(rows["Q"][leading]) < np.ptp(quiet) + 0.02 * quiet.mean()
 
 
-@pytest.mark.parametrize("before", ["54E2", "MB4_like"])
+@pytest.mark.parametrize("before", ["54E2", "54E1"])
 def test_the_train_lifts_and_lowers_a_wheelset_over_a_change(demo: Case, runs: Path, before: str) -> None:
     """A cone stands lower or higher on another rail: the ledger holds that height and nothing else."""
     sections = [

@@ -62,7 +62,7 @@ def node_gaps(pair: WheelRailPair, first: int, end: int, gaps: Memory) -> None:
         _, py, pz, _ = silhouette(pair, wheel.start + i * wheel.step, wheel.z[i], wheel.slope[i])
         place = (-pair.side * (pair.centre_y + py) - pair.rail.start) * pair.rail.per_step
         inside = (place >= 0.0) & (place <= last + 1.0)
-        node = np.uint64(min(max(place, 0.0), last + 0.0))
+        node = np.uint64(min(max(0.0, place), last + 0.0))
         z_rail, _, _ = spline_behind_node(pair.rail, node, place - node)
         gap[k] = pair.centre_z + pz - z_rail if inside else BESIDE
 
@@ -81,7 +81,7 @@ def node_rises(pair: WheelRailPair, first: int, gaps: FloatArray, rises: Memory)
         slope = wheel.slope[i]
         _, py, _, slope_wheel = silhouette(pair, wheel.start + i * wheel.step, wheel.z[i], slope)
         place = (-pair.side * (pair.centre_y + py) - rail.start) * rail.per_step
-        node = np.uint64(min(max(place, 0.0), last + 0.0))
+        node = np.uint64(min(max(0.0, place), last + 0.0))
         part, second = place - node, rail.second[node]
         change = part * (rail.second[node + np.uint64(1)] - second)
         slope_rail = rail.slope[node] + part * rail.step * (second + 0.5 * change)

@@ -123,15 +123,15 @@ def spline_evaluate(table: SplineTable, y: float) -> tuple[float, float, float]:
 
 
 @inlined_kernel
-def spline_behind_node(table: SplineTable, node: Any, part: float) -> tuple[float, float, float]:
+def spline_behind_node(table: SplineTable, node: np.uint64, part: float) -> tuple[float, float, float]:
     """`spline_evaluate` where it is known between which nodes; no branches, for vector instructions.
 
     Parameters
     ----------
     table : SplineTable
         The profile.
-    node : int
-        Number of a node, an unsigned one, and not the last: a signed one might count from the end.
+    node : uint64
+        Number of a node, not the last; unsigned, as a signed one might count from the end.
     part : float
         Distance behind it over the node spacing, 0 .. 1; beyond, the cubic goes on.
     """

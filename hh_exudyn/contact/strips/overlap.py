@@ -73,7 +73,7 @@ def _geometry(pair: WheelRailPair, strips: WheelStrips, count: int, state: Memor
         px, py, pz, slope_wheel = silhouette(pair, strips.y[i], strips.z[i], strips.slope[i])
         y_rail = -pair.side * (pair.centre_y + py)
         place = (y_rail - pair.rail.start) * pair.rail.per_step
-        node = np.uint64(min(max(place, 0.0), last + 0.0))
+        node = np.uint64(min(max(0.0, place), last + 0.0))
         _, slope_rail, _ = spline_behind_node(pair.rail, node, place - node)
         cosine, sine = mean_normal(slope_wheel, slope_rail)
         radius = pair.nominal_radius - strips.z[i]
@@ -95,6 +95,6 @@ def _vertical_gaps(pair: WheelRailPair, strips: WheelStrips, first: int, end: in
         _, py, pz, _ = silhouette(pair, strips.y[i], strips.z[i], strips.slope[i])
         place = (-pair.side * (pair.centre_y + py) - pair.rail.start) * pair.rail.per_step
         inside = (place >= 0.0) & (place <= last + 1.0)
-        node = np.uint64(min(max(place, 0.0), last + 0.0))
+        node = np.uint64(min(max(0.0, place), last + 0.0))
         z_rail, _, _ = spline_behind_node(pair.rail, node, place - node)
         gap[i] = pair.centre_z + pz - z_rail if inside else _FAR
