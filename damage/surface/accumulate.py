@@ -209,7 +209,8 @@ def _block_sums(block: Block, wheel: Wheel, model: DamageModel) -> Sums:
         bad = add_rebuilt(block.states, block.placed, rebuild, solving, rebuild_work(), work, sums)
         if bad >= 0:
             raise ValueError(
-                f"contact log: wheel and rail do not touch at y_wheel = {block.states.y_wheel[bad] * 1e3:.2f} mm, "
+                "contact log: wheel and rail do not touch at "
+                f"y_wheel = {block.states.y_wheel[bad] * 1e3:.2f} mm, "
                 f"time = {block.states.time[bad]:.6g} s: other profiles were in the run"
             )
     elif model.theory == "halfspace":
