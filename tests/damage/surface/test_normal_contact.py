@@ -24,6 +24,7 @@ R0 = 0.46
 WHEEL, RAIL = wheel_profile("S1002"), rail_profile("60E1", 1.0 / 30.0)
 TREAD_STATE = {"lateral": 1e-3, "yaw": 2e-3}
 ROOT_STATE = {"lateral": 6.2e-3, "yaw": 5e-3}  # a left wheel: its flange root
+CONFORMAL_STATE = {"lateral": 6.6e-3, "yaw": 5e-3}  # root and flange in one patch
 COLUMNS = (
     "y_wheel", "contact_angle", "rolling_radius", "normal_force", "a", "b", "p_max", "nu_x", "nu_y", "phi",
     "friction", "speed", "force_x", "force_y", "moment_z", "Q", "Y", "angle_of_attack", "centre_y",
@@ -99,17 +100,18 @@ def test_strips_and_half_space_agree_on_a_tread(
 def test_conformal_patch_is_worn_over_its_strips(
     make_log: Callable[..., pyarrow.Table], contact: WheelRailModel
 ) -> None:
-    """The equivalent ellipse lies in one plane; strips lie on tread and flange, each part with its own."""
-    log = log_of(make_log, LEFT, [ROOT_STATE])
-    strips, exact = (solve(log, contact, normal=normal).surface for normal in ("strips", "halfspace"))
-    worn = [surface.depth[0] for surface in (strips, exact)]
-    y = strips.grid.lateral
-    middles = [np.average(y, weights=depth) for depth in worn]
-    assert middles[0] == pytest.approx(middles[1], abs=1e-3)
-    for surface in (strips, exact):
-        on_tread, on_flange = surface.depth_by_part[0, TREAD] > 0.0, surface.depth_by_part[0, FLANGE] > 0.0
-        assert on_flange.any()
-        assert y[on_flange].min() > y[on_tread].mean()
+    """From root to flange, 12 mm along the arc, where the half-space has it, bin by bin.
+
+    The equivalent ellipse, in the plane of the resultant, has its most in its middle; here it lies at the ends.
+    """
+    log = log_of(make_log, LEFT, [CONFORMAL_STATE])
+    strips, exact, ellipse = (
+        solve(log, contact, normal=normal).surface.depth[0] for normal in ("strips", "halfspace", "ellipse")
+    )
+    assert np.count_nonzero(strips) >= 12
+    assert np.abs(strips - exact).max() < 0.2 * exact.max()
+    assert np.abs(strips - exact).sum() < 0.15 * exact.sum()
+    assert np.abs(ellipse - exact).sum() > 0.3 * exact.sum()
 
 
 def test_patches_of_one_wheel_press_on_each_other(
