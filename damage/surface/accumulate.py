@@ -193,7 +193,7 @@ def _block_sums(block: Block, wheel: Wheel, model: DamageModel) -> Sums:
     """Sums over the states of a block, from zero."""
     zero = WheelSurface.zero((wheel,), model.grid, model.patch_grid)
     counts = np.zeros((*zero.rcf_number.shape[1:], COLUMNS))
-    sums = Sums(*(getattr(zero, name)[0] for name in Sums._fields[:-1]), counts)
+    sums = Sums(**{name: getattr(zero, name)[0] for name in Sums._fields[:-1]}, counts=counts)
     elastic, grid, along = model.material.elastic, model.grid, model.patch_grid
     solving = Solving(
         DAMAGE_THEORIES[model.theory],

@@ -102,7 +102,7 @@ def test_conformal_patch_is_worn_over_its_strips(
 ) -> None:
     """From root to flange, 12 mm along the arc, where the half-space has it, bin by bin.
 
-    The equivalent ellipse, in the plane of the resultant, has its most in its middle; here it lies at the ends.
+    The equivalent ellipse, in the plane of the resultant, wears most in its middle; here the ends wear most.
     """
     log = log_of(make_log, LEFT, [CONFORMAL_STATE])
     strips, exact, ellipse = (
