@@ -142,6 +142,8 @@ def _blocks(states: ContactStates, placed: Placed, wheel: IntArray, size: int) -
     """The states in blocks of `size` rows, wheel by wheel, each with the index of its wheel."""
     order = np.argsort(wheel, kind="stable")
     for rows in np.split(order, np.flatnonzero(np.diff(wheel[order])) + 1):
+        if rows.size == 0:
+            continue  # a piece of bad rows alone
         new = np.flatnonzero(np.diff(states.time[rows], prepend=np.nan) != 0.0)  # one time in one block
         starts = new[np.diff(new // size, prepend=-1) > 0]
         for block in np.split(rows, starts[1:]):
