@@ -70,7 +70,10 @@ def damage(
         bool, typer.Option("--skip-bad-rows", help="Leave out rows that no contact can have; count them.")
     ] = False,
 ) -> None:
-    """Wear and rolling contact fatigue of a run's wheels, from its contact log: tables and figures."""
+    """Wear and rolling contact fatigue of a run's wheels, from its contact log: tables and figures.
+
+    Ten arguments: each is an option of the command.
+    """
     with output.errors_in_one_line(folder):
         if out_folder is not None:
             inputs.require_new_folder(out_folder)
