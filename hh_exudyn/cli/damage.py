@@ -71,7 +71,7 @@ def damage(
     ] = False,
 ) -> None:
     """Wear and rolling contact fatigue of a run's wheels, from its contact log: tables and figures.
-
+    \f
     Ten arguments: each is an option of the command.
     """
     with output.errors_in_one_line(folder):
