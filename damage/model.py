@@ -79,7 +79,8 @@ class DamageModel:
     def seizure_pressure(self) -> float:
         """Pressure above which unworn profiles wear in before anything is extrapolated [Pa].
 
-        0.8 of the hardness, of the wear law where it is Archard's, else of the steel (infinite where unknown).
+        0.8 of the hardness: of the wear law where it is Archard's, else of the steel, infinite where that
+        is not known.
         """
         if self.law.name == "archard":
             return read_archard(np.array(self.law.numbers)).map.seizure_pressure

@@ -34,7 +34,7 @@ class PatchStrips(NamedTuple):
 
 def strips_space(count: int) -> PatchStrips:
     """Memory for `count` strips."""
-    return PatchStrips(*np.zeros((8, count)), np.zeros(count, dtype=np.int64))
+    return PatchStrips._make([*np.zeros((8, count)), np.zeros(count, dtype=np.int64)])
 
 
 @kernel

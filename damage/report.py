@@ -27,6 +27,11 @@ from hh_exudyn.contact.types import WheelRailModel
 DRY_ARCHARD = archard()
 
 
+NOT_EXTRAPOLATED = "not to be extrapolated"
+"""Mark of flange wear under seizure: an unworn flange is worn in first, in some 1000 km, and nobody goes on
+with the rate of its first ones."""
+
+
 def _of_parts(surface: WheelSurface, burstow: bool) -> dict[str, NDArray[np.float64]]:
     """The largest RCF numbers and crack damage of every wheel, (W,): on the tread, on the flange."""
     table = {}
@@ -59,32 +64,52 @@ class DamageReport:
     bad_rows: BadRows
     seconds_per_state: float
 
+    @property
+    def normal_contact(self) -> str:
+        """The normal contact that was used, one of `damage.surface.normal_contact.NORMAL_CONTACTS`."""
+        return self.model.normal
+
+    @property
+    def seized(self) -> NDArray[np.bool_]:
+        """(W,) whether flange contact was beyond the pressure of seizure, 0.8 of the hardness."""
+        seized: NDArray[np.bool_] = self.surface.pressure_by_part[:, FLANGE] > self.model.seizure_pressure
+        return seized
+
+    def _flange_notes(self) -> NDArray[np.generic]:
+        """(W,) the mark of flange wear that is not to be extrapolated, empty where it may be."""
+        return np.where(self.seized, NOT_EXTRAPOLATED, "")
+
     def to_table(self) -> pyarrow.Table:
         """One row per wheel, with units in the names of the columns.
 
-        Fatigue without "flange" in its name is of the tread. ``wear_y_mm`` is the place of the deepest
-        wear on the profile (lateral coordinate, positive towards the flange). ``wear_<regime>_share`` is the
-        part of the worn volume in each regime of the wear law; of Archard's, "seizure" has the least certain
-        coefficients. The RCF numbers are the largest of all places of patch and profile (the corrected
-        one is missing without Burstow's thresholds), and the crack damage is the largest Miner's sum of all
-        bins.
+        Wear depth and fatigue without "flange" in the name are of the tread. ``wear_y_mm`` is the place of
+        the tread's deepest wear on the profile (lateral coordinate, positive towards the flange).
+        ``flange_wear_note`` marks flange wear under seizure: unworn profiles wear in first.
+        ``wear_<regime>_share`` is the part of the worn volume in each regime of the wear law; of Archard's,
+        "seizure" has the least certain coefficients. The RCF numbers are the largest of all places of patch
+        and profile (the corrected one is missing without Burstow's thresholds), and the crack damage is the
+        largest Miner's sum of all bins.
         """
         surface = self.surface
         wheels = np.array(surface.wheels, dtype=np.int32).reshape(-1, 4)
-        depth = surface.depth_per_km
+        depth = surface.depth_by_part[:, TREAD] / surface.distance
+        flange_depth = surface.depth_by_part[:, FLANGE] / surface.distance
         volume = surface.worn_volume.sum(axis=1)
         table: dict[str, NDArray[np.generic]] = {
             "vehicle": wheels[:, 0],
             "bogie": wheels[:, 1],
             "wheelset": wheels[:, 2],
             "side": wheels[:, 3],
+            "normal_contact": np.full(len(wheels), self.normal_contact),
             "p_max_MPa": surface.max_pressure * 1e-6,
             "wear_number_N": surface.mean_wear_number,
             "fatigue_share": surface.fatigue_share[:, TREAD],
             "fatigue_area_index": surface.fatigue_area_index[:, TREAD],
             "flange_fatigue_share": surface.fatigue_share[:, FLANGE],
             "flange_share": surface.flange_share,
-            "wear_depth_mm_per_1000_km": depth.max(axis=1) * 1e6,
+            "wear_depth_mm_per_1000_km": depth.max(axis=1) * 1e9,
+            "flange_wear_depth_mm_per_1000_km": flange_depth.max(axis=1) * 1e9,
+            "flange_wear_note": self._flange_notes(),
             "wear_y_mm": surface.grid.lateral[depth.argmax(axis=1)] * 1e3,
             "worn_area_mm2_per_km": surface.worn_area_per_km * 1e6,
         }
@@ -118,7 +143,9 @@ class DamageReport:
             "wheelset": wheels[:, 2],
             "side": wheels[:, 3],
             "distance_km": np.full(len(wheels), distance * 1e-3),
-            "wear_depth_mm": surface.depth.max(axis=1) * 1e3,
+            "wear_depth_mm": surface.depth_by_part[:, TREAD].max(axis=1) * 1e3,
+            "flange_wear_depth_mm": surface.depth_by_part[:, FLANGE].max(axis=1) * 1e3,
+            "flange_wear_note": self._flange_notes(),
             "worn_area_mm2": surface.worn_area.sum(axis=1) * 1e6,
         }
         return pyarrow.table(table | _of_parts(surface, self.model.burstow is not None))
@@ -197,8 +224,8 @@ def assess(
     FileNotFoundError
         There is no such run or file.
     ValueError
-        Unknown theory or normal contact, a choice that does not go together, missing columns, bad rows, patches beyond the grid, both a grid and a profile, or a
-        run that does not move.
+        Unknown theory or normal contact, a choice that does not go together, missing columns, bad rows,
+        patches beyond the grid, both a grid and a profile, or a run that does not move.
     """
     if grid is not None and profile is not None:
         raise ValueError(

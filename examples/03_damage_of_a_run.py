@@ -3,7 +3,8 @@
     hh-exudyn demo --out demo
     python examples/03_damage_of_a_run.py demo [FOLDER FOR FIGURES]
 
-Damage reads nothing but the contact log: another steel or another wear map needs no new simulation.
+Damage reads the contact log and the profiles of the case: another steel or another wear map needs no new
+simulation, nor does the exact half-space (``normal="halfspace"``).
 """
 
 import sys
@@ -20,16 +21,17 @@ from hh_exudyn.log.store import open_run
 def main() -> None:
     run = open_run(sys.argv[1])
     folder = Path(sys.argv[2] if len(sys.argv) > 2 else ".")
-    wheel = Case.from_toml(run.case_text).wheel
+    case = Case.from_toml(run.case_text)
+    wheel, contact = case.wheel, case.contact_model()  # strips of the run are rebuilt from them
 
     for steel in (ER7, ER9):
-        report = assess(run, material=steel)
+        report = assess(run, material=steel, profile=wheel, contact=contact)
         wheels = report.to_table().to_pylist()
         worst = max(wheels, key=lambda row: row["fatigue_share"])
         share = worst["fatigue_share"]
         print(f"{steel.name}: most fatigue at wheelset {worst['wheelset']}, {share:.0%} of the way")
 
-    report = assess(run)
+    report = assess(run, profile=wheel, contact=contact)
     figures = {
         "wear.png": wear_figure(report, wheel),
         "fatigue.png": fatigue_figure(report, wheel),

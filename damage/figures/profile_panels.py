@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from damage.patch_strips import FLANGE, TREAD
-from damage.report import DamageReport
+from damage.report import NOT_EXTRAPOLATED, DamageReport
 from damage.surface.wheel_surface import Wheel
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT
@@ -31,7 +31,7 @@ def wear_figure(
     """Wear depth over the wheel profile, one panel per wheel.
 
     Flange wear much larger than that of the tread is drawn reduced; the panel gives the factor and the
-    largest depth of both.
+    largest depth of both, and says where flange wear under seizure is not to be extrapolated.
 
     Parameters
     ----------
@@ -67,6 +67,8 @@ def wear_figure(
             text = f"{place}: max {largest:.3g}" if largest > 0.0 else place
             if largest > 0.0 and scale > 1.0:
                 text += f", drawn 1:{scale:.0f}"
+            if place == "flange" and report.seized[index]:
+                text += f"\nseizure: {NOT_EXTRAPOLATED}"
             _corner_text(axes, text, across)
     return figure
 

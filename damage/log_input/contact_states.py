@@ -10,7 +10,8 @@ from damage.log_input.contact_source import ContactSource, batches
 from damage.log_input.states import POSE_COLUMNS, ContactStates
 
 DAMAGE_COLUMNS = tuple(name for name in ContactStates._fields if name not in POSE_COLUMNS)
-"""Columns of the contact log that damage needs; with `damage.log_input.states.POSE_COLUMNS` where it rebuilds patches."""
+"""Columns of the contact log that damage needs; where it rebuilds patches from the profiles also those of the
+pose, `damage.log_input.states.POSE_COLUMNS`."""
 
 CHUNK_ROWS = 20_000  # bounds the memory of one chunk to a few megabytes
 

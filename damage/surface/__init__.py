@@ -3,8 +3,11 @@
 =================  ==================================================================================
 `wheel_surface`    the sums of one wheel: they add, scale and weigh
 `lateral_grid`     the bins of the grid, along the arc of the profile
+`normal_contact`   strips of the run, ellipses or half-space: names, defaults, what goes together
 `accumulate`       the loop over the contact states, chunk by chunk
-`contact_sums`     kernel: sums of the contact states of one chunk
-`patch_field`      pressure, traction and slip of a state on the cells of its patch
+`contact_sums`     kernel: sums of a solved patch; of the states of one chunk by their ellipses
+`patch_field`      pressure, traction and slip of a state on the cells of its ellipse
+`rebuilt_sums`     kernel: the states of one chunk by the strips of the run
+`halfspace_patch`  states solved again by the half-space
 =================  ==================================================================================
 """

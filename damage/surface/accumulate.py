@@ -142,6 +142,8 @@ def _blocks(states: ContactStates, placed: Placed, wheel: IntArray, size: int) -
     """The states in blocks of `size` rows, wheel by wheel, each with the index of its wheel."""
     order = np.argsort(wheel, kind="stable")
     for rows in np.split(order, np.flatnonzero(np.diff(wheel[order])) + 1):
+        if rows.size == 0:
+            continue  # a piece of bad rows alone
         new = np.flatnonzero(np.diff(states.time[rows], prepend=np.nan) != 0.0)  # one time in one block
         starts = new[np.diff(new // size, prepend=-1) > 0]
         for block in np.split(rows, starts[1:]):
@@ -193,7 +195,7 @@ def _block_sums(block: Block, wheel: Wheel, model: DamageModel) -> Sums:
     """Sums over the states of a block, from zero."""
     zero = WheelSurface.zero((wheel,), model.grid, model.patch_grid)
     counts = np.zeros((*zero.rcf_number.shape[1:], COLUMNS))
-    sums = Sums(*(getattr(zero, name)[0] for name in Sums._fields[:-1]), counts)
+    sums = Sums(**{name: getattr(zero, name)[0] for name in Sums._fields[:-1]}, counts=counts)
     elastic, grid, along = model.material.elastic, model.grid, model.patch_grid
     solving = Solving(
         DAMAGE_THEORIES[model.theory],
@@ -209,7 +211,8 @@ def _block_sums(block: Block, wheel: Wheel, model: DamageModel) -> Sums:
         bad = add_rebuilt(block.states, block.placed, rebuild, solving, rebuild_work(), work, sums)
         if bad >= 0:
             raise ValueError(
-                f"contact log: wheel and rail do not touch at y_wheel = {block.states.y_wheel[bad] * 1e3:.2f} mm, "
+                "contact log: wheel and rail do not touch at "
+                f"y_wheel = {block.states.y_wheel[bad] * 1e3:.2f} mm, "
                 f"time = {block.states.time[bad]:.6g} s: other profiles were in the run"
             )
     elif model.theory == "halfspace":

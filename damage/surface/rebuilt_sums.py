@@ -57,11 +57,11 @@ def rebuilding(contact: WheelRailModel, grid: LateralGrid, flange_angle: float) 
     flange_angle
         From which a strip's contact counts as flange contact [rad].
     """
-    places = []
-    for strips in (contact.strips_left, contact.strips_right):
-        position, stretch = grid.place(strips.y, np.arctan(strips.slope))
-        places.append(WheelPlaces(position, stretch))
-    return Rebuilding(contact, *places, flange_angle)
+    left, right = (
+        WheelPlaces(*grid.place(strips.y, np.arctan(strips.slope)))
+        for strips in (contact.strips_left, contact.strips_right)
+    )
+    return Rebuilding(contact, left, right, flange_angle)
 
 
 def rebuild_work() -> RebuildWork:

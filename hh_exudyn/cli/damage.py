@@ -4,10 +4,13 @@ Conversion to millimetres and kilometres is here; the packages below use SI. Lar
 inside the functions, so that ``--help`` is fast.
 """
 
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
@@ -18,7 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from damage.report import DamageReport
-    from hh_exudyn.contact.profile import Profile
+    from hh_exudyn.case import Case
     from hh_exudyn.log.store import Run
 
 
@@ -42,8 +45,23 @@ def damage(
         typer.Option(metavar="STATE", help="For Archard's wear coefficients: {surfaces}. [default: dry]"),
     ] = None,
     theory: Annotated[
-        str, typer.Option(metavar="NAME", help="Tangential theory: {damage_theories}.")
-    ] = "fastrip",
+        str | None,
+        typer.Option(
+            metavar="NAME",
+            help="Tangential theory: {damage_theories}. [default: fastrip, with the half-space its own]",
+        ),
+    ] = None,
+    normal: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME",
+            help="Normal contact: {normal_contacts}. [default: strips, for a run without them ellipse]",
+        ),
+    ] = None,
+    pressure_limit: Annotated[
+        float | None,
+        typer.Option(metavar="MPA", help="Upper bound of the half-space's pressure; force is kept."),
+    ] = None,
     material: Annotated[str, typer.Option(metavar="STEEL", help="Wheel steel: {steels}.")] = "ER7",
     distance_km: Annotated[
         float | None, typer.Option(metavar="KM", help="Also give the damage after this distance.")
@@ -52,25 +70,33 @@ def damage(
         bool, typer.Option("--skip-bad-rows", help="Leave out rows that no contact can have; count them.")
     ] = False,
 ) -> None:
-    """Wear and rolling contact fatigue of a run's wheels, from its contact log: tables and figures."""
+    """Wear and rolling contact fatigue of a run's wheels, from its contact log: tables and figures.
+    \f
+    Ten arguments: each is an option of the command.
+    """
     with output.errors_in_one_line(folder):
         if out_folder is not None:
             inputs.require_new_folder(out_folder)
         inputs.check_range("--distance-km", distance_km, 1e-3, 1e7, "km")
+        inputs.check_range("--pressure-limit", pressure_limit, 1.0, 1e5, "MPa")
         options = _options(model, surface, theory, material)
+        options |= {"normal": normal}
+        if pressure_limit is not None:
+            options |= {"pressure_limit": 1e6 * pressure_limit}
         show_damage(
             inputs.read_run(folder), out_folder or folder / "damage", distance_km, skip_bad_rows, **options
         )
 
 
-def _options(model: str, surface: str | None, theory: str, material: str) -> dict[str, Any]:
+def _options(model: str, surface: str | None, theory: str | None, material: str) -> dict[str, Any]:
     """Arguments of `damage.report.assess` for the names on the command line; an unknown one is bad input."""
     from damage.material import wheel_material
     from damage.surface.patch_field import theory_number
     from damage.wear.laws import wear_law
 
     with inputs.refused_as_bad_input():
-        theory_number(theory)
+        if theory is not None:
+            theory_number(theory)
         law = wear_law(model, **({} if surface is None else {"surface": surface}))
         return {"law": law, "theory": theory, "material": wheel_material(material)}
 
@@ -79,19 +105,46 @@ def _assessed(run: "Run", skip_bad_rows: bool = False, **options: Any) -> "Damag
     """The damage of a run; a log without the necessary columns or with bad rows is bad input."""
     from damage.report import assess
 
-    with output.status("damage"):
+    case = _case(run)
+    with _progress(run, "halfspace" in (options.get("normal"), options.get("theory"))) as progress:
         try:
-            return assess(run, profile=_wheel_profile(run), skip_bad_rows=skip_bad_rows, **options)
+            return assess(
+                run,
+                profile=case.wheel,
+                contact=case.contact_model(),
+                skip_bad_rows=skip_bad_rows,
+                progress=progress,
+                **options,
+            )
         except ValueError as error:
             hint = "; --skip-bad-rows leaves them out" if "rows are bad" in str(error) else ""
             raise inputs.BadInput(f"{run.directory}: {error}{hint}") from None
 
 
-def _wheel_profile(run: "Run") -> "Profile":
-    """The wheel profile of a run's case."""
+@contextmanager
+def _progress(run: "Run", slow: bool) -> Iterator[Callable[[int], None] | None]:
+    """A bar with the remaining time on stderr where the half-space solves every state, else a status."""
+    if not slow:
+        with output.status("damage"):
+            yield None
+        return
+    rows = sum(batch.num_rows for batch in run.batches("contact", ["time"]))
+    columns = (
+        TextColumn("damage, {task.fields[states]} states"),
+        BarColumn(),
+        TimeElapsedColumn(),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=output.err, transient=True, disable=not output.err.is_terminal) as bar:
+        task = bar.add_task("damage", total=rows, states=f"{rows:,}")
+        yield lambda done: bar.update(task, completed=done)
+
+
+def _case(run: "Run") -> "Case":
+    """The case of a run."""
     from hh_exudyn.case import Case
 
-    return Case.from_toml(run.case_text, source=f"{run.directory}/case.toml").wheel
+    return Case.from_toml(run.case_text, source=f"{run.directory}/case.toml")
 
 
 def show_damage(
@@ -118,6 +171,8 @@ def show_damage(
     """
     import pyarrow.csv
 
+    from damage.report import NOT_EXTRAPOLATED
+
     report = _assessed(run, skip_bad_rows, **options)
     tables = {"damage.csv": report.to_table()}
     if distance_km is not None:
@@ -130,13 +185,20 @@ def show_damage(
         pyarrow.csv.write_csv(table, folder / name)
     for name, figure in figures.items():
         figure.savefig(folder / name, dpi=output.DOTS_PER_INCH)
-    output.print_table(_table_of("Damage over the whole run", tables["damage.csv"], RUN_COLUMNS))
+    contact = f"normal contact: {report.normal_contact}"
+    output.print_table(_table_of(f"Damage over the whole run, {contact}", tables["damage.csv"], RUN_COLUMNS))
     if distance_km is not None:
         output.print_table(
             _table_of(f"Damage after {distance_km:,g} km", tables["distance.csv"], DISTANCE_COLUMNS)
         )
     if "corrected_rcf_number_per_km" in tables["damage.csv"].column_names:
         output.print_line("RCF: revolutions beyond shakedown; corrected: less those worn off, after Burstow")
+    if report.seized.any():
+        pressure = report.model.seizure_pressure * 1e-6
+        output.print_line(
+            f"{SEIZED} flange wear under seizure (above {pressure:.0f} MPa, 0.8 of the hardness): the "
+            f"unworn profile wears in first; {NOT_EXTRAPOLATED}"
+        )
     if report.bad_rows.count:
         output.print_line(f"left out: {report.bad_rows}")
     output.print_line(f"damage: {folder} ({', '.join([*tables, *figures])})")
@@ -150,7 +212,7 @@ def _figures(run: "Run", report: "DamageReport", distance: float) -> "dict[str, 
     from damage.figures.working_points import shakedown_figure
     from damage.patch_strips import TREAD
 
-    surface, profile = report.surface, _wheel_profile(run)
+    surface, profile = report.surface, _case(run).wheel
     figures = {
         "wear.png": wear_figure(report, profile),
         "fatigue.png": fatigue_figure(report, profile),
@@ -165,13 +227,15 @@ def _figures(run: "Run", report: "DamageReport", distance: float) -> "dict[str, 
     return figures
 
 
+SEIZED = "*"  # behind flange wear that is not to be extrapolated
 Columns = dict[str, tuple[str, float, str]]  # column of a table: heading, factor, format
 RUN_COLUMNS: Columns = {
     "p_max_MPa": ("p_max [MPa]", 1.0, ".0f"),
     "wear_number_N": ("wear number [N]", 1.0, ".0f"),
     "fatigue_share": ("FI>0 tread [%]", 100.0, ".1f"),
     "fatigue_area_index": ("FI area tread [%]", 100.0, ".1f"),
-    "wear_depth_mm_per_1000_km": ("wear depth [µm/km]", 1.0, ".3g"),  # the same unit in short
+    "wear_depth_mm_per_1000_km": ("tread wear [mm per 1000 km]", 1.0, ".3g"),
+    "flange_wear_depth_mm_per_1000_km": ("flange wear [mm per 1000 km]", 1.0, ".3g"),
     "wear_y_mm": ("at y [mm]", 1.0, ".1f"),
     "worn_area_mm2_per_km": ("worn area [mm²/km]", 1.0, ".3g"),
     "wear_seizure_share": ("seizure [%]", 100.0, ".0f"),
@@ -180,7 +244,8 @@ RUN_COLUMNS: Columns = {
     "corrected_rcf_number_per_km": ("corrected [1/km]", 1.0, ".0f"),
 }
 DISTANCE_COLUMNS: Columns = {
-    "wear_depth_mm": ("wear depth [mm]", 1.0, ".3g"),
+    "wear_depth_mm": ("tread wear [mm]", 1.0, ".3g"),
+    "flange_wear_depth_mm": ("flange wear [mm]", 1.0, ".3g"),
     "worn_area_mm2": ("worn area [mm²]", 1.0, ".3g"),
     "rcf_number": ("RCF number", 1.0, ".3g"),
     "corrected_rcf_number": ("corrected", 1.0, ".3g"),
@@ -199,6 +264,10 @@ def _table_of(title: str, table: "pyarrow.Table", columns: Columns) -> Table:
     several = len({row["vehicle"] for row in rows}) > 1
     for row in rows:
         unit = f"{row['vehicle']}." if several else ""
-        cells = (f"{row[name] * factor:{form}}" for name, (_, factor, form) in shown.items())
+        seized = SEIZED if row["flange_wear_note"] else ""
+        cells = (
+            f"{row[name] * factor:{form}}{seized if name.startswith('flange_wear') else ''}"
+            for name, (_, factor, form) in shown.items()
+        )
         lines.add_row(f"{unit}{row['wheelset']}{'L' if row['side'] > 0 else 'R'}", *cells)
     return lines

@@ -23,6 +23,12 @@ def _damage_theories() -> Iterable[str]:
     return DAMAGE_THEORIES
 
 
+def _normal_contacts() -> Iterable[str]:
+    from damage.surface.normal_contact import NORMAL_CONTACTS
+
+    return NORMAL_CONTACTS
+
+
 def _wear_laws() -> Iterable[str]:
     from damage.wear.laws import names_for_help
 
@@ -68,6 +74,7 @@ def _rails() -> Iterable[str]:
 LISTS: dict[str, Callable[[], Iterable[str]]] = {
     "theories": _theories,
     "damage_theories": _damage_theories,
+    "normal_contacts": _normal_contacts,
     "wear_laws": _wear_laws,
     "surfaces": _surfaces,
     "steels": _steels,

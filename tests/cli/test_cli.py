@@ -197,6 +197,7 @@ def test_damage_by_other_models(done: tuple[Path, subprocess.CompletedProcess[st
     )  # fmt: skip
     assert result.exit_code == 0, result.stderr
     assert "Damage after 1,000 km" in result.stdout
+    assert "normal contact: ellipse" in result.stdout  # FASTSIM takes no strips
     assert "seizure" not in result.stdout
     lines = (out / "distance.csv").read_text().splitlines()
     assert "wear_depth_mm" in lines[0]
@@ -213,6 +214,10 @@ def test_damage_by_other_models(done: tuple[Path, subprocess.CompletedProcess[st
         (("--model", "archad"), "wear law = 'archad'"),
         (("--model", "usfd", "--surface", "greased"), "wear law 'usfd' has no option 'surface'"),
         (("--theory", "polach"), "theory = 'polach'; theories with a slip field"),
+        (("--normal", "analyn"), "normal = 'analyn'; known: strips, ellipse, halfspace"),
+        (("--normal", "strips", "--theory", "fastsim"), "goes with theory fastrip, not 'fastsim'"),
+        (("--pressure-limit", "2000"), "needs normal = 'halfspace', not 'strips'"),
+        (("--pressure-limit", "0"), "--pressure-limit 0 MPa: allowed"),
         (("--material", "ER70"), "wheel material 'ER70' is not known"),
         (("--distance-km", "0"), "--distance-km 0 km: allowed"),
     ],

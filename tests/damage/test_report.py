@@ -79,8 +79,11 @@ def test_table_has_one_row_per_wheel(report: DamageReport, random_log: pyarrow.T
     row = table.slice(wheel, 1).to_pylist()[0]
     chosen = (random_log["wheelset"].to_numpy() == 1) & (random_log["side"].to_numpy() == 1)
     assert row["p_max_MPa"] == pytest.approx(random_log["p_max"].to_numpy()[chosen].max() * 1e-6)
-    assert row["wear_depth_mm_per_1000_km"] == pytest.approx(report.surface.depth_per_km[wheel].max() * 1e6)
-    assert 36.0 < row["wear_y_mm"] < 39.0  # the flange contacts lie there
+    tread, flange = report.surface.depth_by_part[wheel].max(axis=1) / report.surface.distance * 1e9
+    assert row["wear_depth_mm_per_1000_km"] == pytest.approx(tread)
+    assert row["flange_wear_depth_mm_per_1000_km"] == pytest.approx(flange)
+    assert -30.0 < row["wear_y_mm"] < 30.0  # of the tread
+    assert row["normal_contact"] == report.normal_contact == "ellipse"
     patches = random_log["patch"].to_numpy()[chosen]
     assert row["flange_share"] == pytest.approx(patches.mean())
     assert report.seconds_per_state > 0.0

@@ -5,7 +5,6 @@ smoothed over about the length of a contact patch before the spline is made.
 """
 
 import math
-from typing import Any
 
 import numpy as np
 from scipy.interpolate import CubicSpline

@@ -17,7 +17,7 @@ def surface(depths: list[float], wheels: tuple[Wheel, ...] = WHEELS) -> WheelSur
     """A wagon that rolled 2 km, each wheel worn evenly by its depth [m]."""
     zero = WheelSurface.zero(wheels, LateralGrid.along(wheel_profile("S1002")))
     depth = np.repeat(np.array(depths)[:, None], zero.grid.count, axis=1)
-    return replace(zero, depth=depth, distance=2e3)
+    return replace(zero, depth_by_part=np.stack([depth, np.zeros_like(depth)], axis=1), distance=2e3)
 
 
 def rate(wear: ProfileWear) -> float:

@@ -71,7 +71,7 @@ def surface() -> WheelSurface:
     counts[0, TREAD], counts[0, FLANGE] = 1000.0, 10.0
     return replace(
         zero, distance=1.0, crack_damage=damage, rcf_number=counts, corrected_rcf_number=0.3 * counts,
-        depth=np.array([[0.0, 0.1e-3, 0.4e-3, 0.5e-3]]),
+        depth_by_part=np.array([[[0.0, 0.1e-3, 0.4e-3, 0.5e-3], [0.0] * 4]]),
     )  # fmt: skip
 
 
