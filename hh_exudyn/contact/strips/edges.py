@@ -61,26 +61,29 @@ def soften_edges(
     z, width, own, step, numbers = places[0], places[1], places[2], places[3], places[4]
     n = 0
     for j in range(count):
-        own[j] = own_influence(j, modulus, state)
-        width[j] = max(_SOFTNESS * abs(_overlap(j + 1, j, count, state) - _overlap(j - 1, j, count, state))
-                       / (2.0 * own[j]), _LEAST)  # fmt: skip
-        z[j] = s[Row.LOAD, j] if s[Row.LOAD, j] > 0.0 else -residual[j] / own[j]
-        if z[j] > -width[j]:
+        # of a gap beyond the softened stretch, z < -e, there is neither load nor slope
+        change = abs(_overlap(j + 1, j, count, state) - _overlap(j - 1, j, count, state))
+        if s[Row.LOAD, j] > 0.0 or residual[j] < 0.5 * _SOFTNESS * change:
+            own[j] = own_influence(j, modulus, state)
+            width[j] = max(0.5 * _SOFTNESS * change / own[j], _LEAST)
+            z[j] = s[Row.LOAD, j] if s[Row.LOAD, j] > 0.0 else -residual[j] / own[j]
             if known[j] == 0.0:
                 influence_of(j, count, modulus, state, influences[j])
                 known[j] = 1.0
             numbers[n] = j
             n += 1
-    # the error of equation 1 in all strips: what the sharp loads change by, less what the gaps change by
-    for j in range(count):
-        residual[j] -= own[j] * _soft(-z[j], width[j])
+    # the error of equation 1: what the loads change by, less the gaps
+    for r in range(n):
+        here = np.uint64(numbers[r])
+        residual[here] -= own[here] * _soft(-z[here], width[here])
     for c in range(n):
         k = np.uint64(numbers[c])
         change = _soft(z[k], width[k]) - s[Row.LOAD, k]
         if change != 0.0:
             row = influences[k]
-            for j in range(count):
-                residual[j] += change * row[j]
+            for r in range(n):
+                here = np.uint64(numbers[r])
+                residual[here] += change * row[here]
     for r in range(n):
         here = np.uint64(numbers[r])
         for c in range(n):
