@@ -65,7 +65,9 @@ def first_strips(strips: PatchStrips, fields: Fields, count: int) -> tuple[Patch
 
 @kernel
 def ellipse_strips(patch: RollingPatch, strips: PatchStrips) -> float:
-    """Fill the strips of an ellipse but for their places (`place_strips`); returns its area [m^2] (kernel).
+    """Fill the strips of an ellipse; returns its area [m^2] (kernel).
+
+    Their places on the grid are left to `place_strips`.
 
     Parameters
     ----------

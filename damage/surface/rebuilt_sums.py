@@ -48,6 +48,8 @@ class RebuildWork(NamedTuple):
 def rebuilding(contact: WheelRailModel, grid: LateralGrid, flange_angle: float) -> Rebuilding:
     """The settings for strips of a run.
 
+    Every strip of both wheels has its bin, by its place and slope.
+
     Parameters
     ----------
     contact
@@ -74,6 +76,8 @@ def logged_pair(
     contact: WheelRailModel, states: ContactStates, row: int, vectors: FloatArray
 ) -> WheelRailPair:
     """The wheel on its rail in the pose of a row (kernel).
+
+    The rail is that of the row's place on the track; the axle's direction follows from yaw and roll.
 
     Parameters
     ----------

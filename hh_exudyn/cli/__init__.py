@@ -1,18 +1,5 @@
 """The command ``hh-exudyn``.
 
-`app`         the command itself: run, demo, playback
-`contact`     conicity, patch, validate
-`damage`      wear and fatigue of a run
-`assess`      assessment of a run after UIC 518 / EN 14363
-`track`       alignment, irregularities, lines
-`vehicle`     vehicles and their numbers
-`linear`      modes and critical speeds
-`parameters`  every number of the data files
-`names`       names of registries in help texts
-`inputs`      common arguments, refusal of bad input, reading of a run
-`output`      lines, tables, figures, exit codes
-============  ======================================================================================
-=======
 =============  ======================================================================================
 `app`          the command itself: run, demo, playback
 `contact`      conicity, patch, validate

@@ -56,16 +56,8 @@ def add_strips(
 
     Parameters
     ----------
-    model : WheelRailModel
-        Everything that does not change during a run.
-    pair : WheelRailPair
-        Profiles of wheel and rail, and the wheelset's pose.
-    wheelsets, rails : WheelsetMotion, RailMotion
-        Of all wheelsets and their rails.
-    friction : FrictionTable
-        Friction by place, wheel and slip speed.
-    i : int
-        Number of the wheelset, from 0.
+    model, pair, wheelsets, rails, friction, i
+        As of `patch_forces.add_patch`, `friction` its `friction_table`.
     forces : ContactForces
         Wrench and rail force are added to, the records of the patches and the strips in contact written.
 

@@ -27,4 +27,14 @@ Called from outside a run.
 `rebuilt`           the strips behind a row of the contact log
 `validation`        comparison with Hertz and CONTACT
 ==================  =================================================================================
+
+Arguments that most kernels have; they trust them.
+
+==================  =================================================================================
+`pair`              profiles and pose of the wheel and its rail
+`strips`            those of the wheel's profile, in contact or not
+`count`             number of strips with overlap
+`modulus`           G/(1 - nu) of both bodies [Pa]
+`state`             (ROWS, CAPACITY) work space: a column for each strip with overlap, rows by `table.Row`
+==================  =================================================================================
 """

@@ -64,16 +64,14 @@ def strip_creep_forces(
 ) -> None:
     """Fill `FORCE_X`, `FORCE_Y` and `MOMENT_Z` of the strips that carry load (kernel, allocates nothing).
 
+    Arguments: see the map of this folder; `state` with loads, shapes, creepages and friction.
+
     Parameters
     ----------
-    count : int
-        Strips with overlap.
     shear_modulus, poisson_ratio : float
         [Pa], [-].
     cells_x : int
         Cells along each strip.
-    state : memory
-        (ROWS, CAPACITY): loads, shapes, creepages and friction in.
     """
     s = shaped(state, (ROWS, CAPACITY))
     march = memory(STATE_SIZE)

@@ -43,18 +43,14 @@ def soften_edges(
 
     Parameters
     ----------
-    count : int
-        Strips with overlap.
-    modulus : float
-        G/(1 - nu) [Pa].
+    count, modulus, state
+        As of `loads.solve_loads`; `LOAD` in and out.
     influences, known : FloatArray
         (>= count, >= count), (>= count,) influences by row, where known; rows are added.
     residual : FloatArray
         (>= count,) K P - d of the sharp solution [m].
     matrix : FloatArray
         (>= count, >= count) working memory.
-    state : memory
-        (ROWS, CAPACITY): `LOAD` in and out.
     """
     s = shaped(state, (ROWS, CAPACITY))
     places = shaped(memory(_PLACES), (5, CAPACITY))

@@ -19,18 +19,8 @@ def normal_rows(
 ) -> int:
     """Overlaps, loads, half lengths and pressures without friction (kernel: trusts its input).
 
-    Parameters
-    ----------
-    pair : WheelRailPair
-        Profiles and pose.
-    strips : WheelStrips
-        Of the wheel.
-    modulus : float
-        G/(1 - nu) [Pa].
-    refined : bool
-        Whether of the second solution (`pressure`).
-    rows : FloatArray
-        (ROWS, CAPACITY) out, by `Row`.
+    Arguments: see the map of this folder; `refined` asks for the second solution (`pressure`), and `rows`,
+    (ROWS, CAPACITY) by `Row`, holds the result.
 
     Returns
     -------

@@ -20,19 +20,12 @@ _FAR = 1.0  # m, gap of a strip beside the rail
 def overlapping_strips(pair: WheelRailPair, strips: WheelStrips, state: Memory) -> int:
     """Find the strips whose undeformed surface lies inside the rail, and their geometry.
 
-    Parameters
-    ----------
-    pair : WheelRailPair
-        Profiles and pose.
-    strips : WheelStrips
-        Of the wheel.
-    state : memory
-        (ROWS, CAPACITY) out: rows `NUMBER` to `CURVATURE` of the strips found.
+    Arguments: see the map of this folder. Written are the rows `NUMBER` to `CURVATURE` of `state`.
 
     Returns
     -------
     int
-        Their number.
+        Number of strips found.
     """
     gaps = memory(CAPACITY)
     low, high = above_rail(pair)

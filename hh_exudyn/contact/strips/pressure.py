@@ -21,14 +21,8 @@ _STATE = ROWS * CAPACITY
 def refine_strips(count: int, modulus: float, state: Memory) -> bool:
     """Replace load, half length, pressure and ellipse of the strips by those of the second solution.
 
-    Parameters
-    ----------
-    count : int
-        Strips with overlap.
-    modulus : float
-        G/(1 - nu) [Pa].
-    state : memory
-        (ROWS, CAPACITY) of the first solution, after `shape.shape_strips`; the loads may hold damping.
+    Arguments: see the map of this folder; `state` is that of the first solution, after `shape.shape_strips`,
+    and its loads may hold damping.
 
     Returns
     -------
@@ -59,13 +53,7 @@ def refine_strips(count: int, modulus: float, state: Memory) -> bool:
 
 @kernel
 def refined_pressures(count: int, modulus: float, state: Memory) -> None:
-    """Fill `REFINED` with the pressures of `refine_strips`; all else stays.
-
-    Parameters
-    ----------
-    count, modulus, state
-        As of `refine_strips`.
-    """
+    """Fill `REFINED` with the pressures of `refine_strips`; all else stays. Arguments as there."""
     s = shaped(state, (ROWS, CAPACITY))
     other = memory(_STATE)
     t = shaped(other, (ROWS, CAPACITY))

@@ -93,18 +93,8 @@ def rebuild_strips(
 ) -> int:
     """The strips of one logged patch, with load, shape, slip and friction (kernel: trusts its input).
 
-    Parameters
-    ----------
-    pair : WheelRailPair
-        Profiles and the logged pose.
-    strips : WheelStrips
-        Of the wheel.
-    modulus : float
-        G/(1 - nu) [Pa].
-    patch : LoggedPatch
-        The row.
-    state : memory
-        (ROWS, CAPACITY) out; the strips of other patches have no load.
+    Arguments: see the map of this folder; the pose is that of the row `patch`. In `state`, the result, the
+    strips of other patches have no load.
 
     Returns
     -------

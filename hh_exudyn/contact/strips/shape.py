@@ -54,14 +54,8 @@ def axis_ratio(square: float) -> float:
 def shape_strips(count: int, modulus: float, state: Memory) -> None:
     """Fill `HALF_LENGTH` to `PEAK`, `CENTRE`, `MEAN_X`, `MEAN_Y` and `TURN_X` of the strips that carry load.
 
-    Parameters
-    ----------
-    count : int
-        Strips with overlap.
-    modulus : float
-        G/(1 - nu) [Pa].
-    state : memory
-        (ROWS, CAPACITY): `LOAD`, `ARC`, `WIDTH`, `CURVATURE`, `NU_X`, `NU_Y` in.
+    Arguments: see the map of this folder. Of `state`, `LOAD`, `ARC`, `WIDTH`, `CURVATURE`, `NU_X` and `NU_Y`
+    are read.
     """
     s = shaped(state, (ROWS, CAPACITY))
     first = 0

@@ -21,12 +21,8 @@ class CurvePatch:
 
     Attributes
     ----------
-    a, b : float
-        Semi-axes in rolling direction and lateral [m], > 0.
-    normal_force : float
-        [N], > 0.
-    friction : float
-        Friction coefficient [-], > 0.
+    a, b, normal_force, friction : float
+        As of `api.PatchLoad`.
     nu_x, nu_y, phi : float
         The creepages that are kept while another varies [-], [-], [1/m].
     material : Material
