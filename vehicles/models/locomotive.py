@@ -10,7 +10,7 @@ from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import AxleBoxPad, BumpStop, Bushing, Coupling, Rod
 from vehicles.description import Body, Coupler, Drive, Vehicle, Wheelset
-from vehicles.models.parts import SIDES, in_directions, principal_inertia
+from vehicles.models.parts import SIDES, body_of_kind, in_directions
 from vehicles.record import VehicleRecord
 from vehicles.traction.effort import TractionEquipment
 
@@ -101,14 +101,8 @@ def _car_body(p: ParameterSet, mass: float) -> Body:
 
 
 def _bogie_frame(p: ParameterSet, bogie: int, middle: float) -> Body:
-    return Body(
-        f"bogie_frame_{bogie}",
-        "bogie_frame",
-        p["bogie_frame.mass"],
-        principal_inertia(p, "bogie_frame"),
-        (middle, 0.0, p["bogie_frame.height"]),
-        _PRIMARY_DEFLECTION,
-    )
+    centre = (middle, 0.0, p["bogie_frame.height"])
+    return body_of_kind(p, "bogie_frame", f"bogie_frame_{bogie}", centre, _PRIMARY_DEFLECTION)
 
 
 def _wheelset(p: ParameterSet, bogie: int, axle: int, middle: float, equipment: TractionEquipment) -> Body:
@@ -132,14 +126,8 @@ def _wheelset(p: ParameterSet, bogie: int, axle: int, middle: float, equipment: 
 
 def _motor(p: ParameterSet, bogie: int, axle: int, middle: float) -> Body:
     x = _axle_place(p, axle, middle) + _motor_side(bogie, axle) * p["motor.distance"]
-    return Body(
-        f"motor_{bogie}_{axle}",
-        "motor",
-        p["motor.mass"],
-        principal_inertia(p, "motor"),
-        (x, 0.0, p["wheelset.radius"]),
-        _PRIMARY_DEFLECTION / 2,
-    )
+    centre = (x, 0.0, p["wheelset.radius"])
+    return body_of_kind(p, "motor", f"motor_{bogie}_{axle}", centre, _PRIMARY_DEFLECTION / 2)
 
 
 def _wheelset_couplings(p: ParameterSet, bogie: int, axle: int, middle: float) -> list[Coupling]:
@@ -194,7 +182,7 @@ def _body_couplings(p: ParameterSet, bogie: int, middle: float, body_mass: float
     frame = f"bogie_frame_{bogie}"
     horizontal, height = p["secondary.horizontal_stiffness"], p["secondary.height"]
     roll = p["secondary.roll_stiffness"]
-    couplings: list[Coupling] = [
+    springs = [
         Bushing(
             name=f"secondary_{bogie}{letter}",
             body_a=frame,
@@ -208,31 +196,27 @@ def _body_couplings(p: ParameterSet, bogie: int, middle: float, body_mass: float
         for side, letter in SIDES
     ]
     clearance, stop = p["secondary.stop_clearance"], p["secondary.stop_stiffness"]
-    couplings.append(
-        BumpStop(
-            name=f"lateral_stop_{bogie}",
-            body_a=frame,
-            body_b="car_body",
-            point=(middle, 0.0, height),
-            axis=(0.0, 1.0, 0.0),
-            table=((clearance, 0.0), (clearance + 0.05, 0.05 * stop)),
-            odd=True,
-        )
+    lateral_stop = BumpStop(
+        name=f"lateral_stop_{bogie}",
+        body_a=frame,
+        body_b="car_body",
+        point=(middle, 0.0, height),
+        axis=(0.0, 1.0, 0.0),
+        table=((clearance, 0.0), (clearance + 0.05, 0.05 * stop)),
+        odd=True,
     )
     inwards = -1 if bogie == 1 else 1
     rod_height = p["traction_rod.height"]
-    couplings.append(
-        Rod(
-            name=f"traction_rod_{bogie}",
-            body_a=frame,
-            body_b="car_body",
-            point_a=(middle, 0.0, rod_height),
-            point_b=(middle + inwards * p["traction_rod.length"], 0.0, rod_height),
-            stiffness=p["traction_rod.stiffness"],
-            damping=p["traction_rod.damping"],
-        )
+    rod = Rod(
+        name=f"traction_rod_{bogie}",
+        body_a=frame,
+        body_b="car_body",
+        point_a=(middle, 0.0, rod_height),
+        point_b=(middle + inwards * p["traction_rod.length"], 0.0, rod_height),
+        stiffness=p["traction_rod.stiffness"],
+        damping=p["traction_rod.damping"],
     )
-    return couplings
+    return [*springs, lateral_stop, rod]
 
 
 RECORD = VehicleRecord(

@@ -11,7 +11,7 @@ from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import AxleBoxPad, BumpStop, Bushing, Coupling
 from vehicles.description import Body, Coupler, Vehicle, Wheelset
-from vehicles.models.parts import SIDES, in_directions, principal_inertia
+from vehicles.models.parts import SIDES, body_of_kind, in_directions
 from vehicles.record import VehicleRecord
 
 _BUMP_STOP_MM = (25, 30, 35, 40, 45, 50, 55, 60, 65)
@@ -20,26 +20,13 @@ _BUMP_STOP_MM = (25, 30, 35, 40, 45, 50, 55, 60, 65)
 def manchester_vehicle_1(name: str, p: ParameterSet) -> Vehicle:
     """The coach, leading bogie first."""
     sunk = _primary_deflection(p)
-    body = Body(
-        "car_body",
-        "car_body",
-        p["car_body.mass"],
-        principal_inertia(p, "car_body"),
-        (0.0, 0.0, p["car_body.height"] + sunk),
-        sunk,
-    )
+    body = body_of_kind(p, "car_body", "car_body", (0.0, 0.0, p["car_body.height"] + sunk), sunk)
     bodies = [body]
     couplings: list[Coupling] = []
     wheelsets: list[Wheelset] = []
     for number, middle in ((1, p["car_body.half_bogie_distance"]), (2, -p["car_body.half_bogie_distance"])):
-        frame = Body(
-            f"bogie_frame_{number}",
-            "bogie_frame",
-            p["bogie_frame.mass"],
-            principal_inertia(p, "bogie_frame"),
-            (middle, 0.0, p["bogie_frame.height"] + sunk),
-            sunk,
-        )
+        centre = (middle, 0.0, p["bogie_frame.height"] + sunk)
+        frame = body_of_kind(p, "bogie_frame", f"bogie_frame_{number}", centre, sunk)
         bodies.append(frame)
         couplings += _secondary(p, frame, body.name, sunk)
         for end in (1, -1):

@@ -5,6 +5,7 @@ from typing import Any, TypeVar
 
 from hh_exudyn.sourced import ParameterSet
 from vehicles.couplings import Vector
+from vehicles.description import Body
 
 SIDES = ((1, "L"), (-1, "R"))  # sign of y, letter in names
 
@@ -20,6 +21,20 @@ def principal_inertia(p: ParameterSet, part: str) -> Vector:
     part : name of a part in them
     """
     return p[f"{part}.roll_inertia"], p[f"{part}.pitch_inertia"], p[f"{part}.yaw_inertia"]
+
+
+def body_of_kind(p: ParameterSet, kind: str, name: str, position: Vector, deflection: float = 0.0) -> Body:
+    """A body with the mass and the moments of inertia of its kind.
+
+    Parameters
+    ----------
+    p : parameters of the vehicle
+    kind : of the body, and the name of the part in them
+    name : of the body
+    position : of its centre of mass on the drawing [m]
+    deflection : as of `description.Body` [m]
+    """
+    return Body(name, kind, p[f"{kind}.mass"], principal_inertia(p, kind), position, deflection)
 
 
 def in_directions(p: ParameterSet, part: str, quantity: str) -> Vector:

@@ -5,7 +5,7 @@ import math
 from hh_exudyn.sourced import ParameterSet
 from vehicles.couplings import AxleBox, CentrePlate, Coupling, SideBearer, SpringNest, Vector, Wedge
 from vehicles.description import Body, BrakeShoe, Wheelset
-from vehicles.models.parts import SIDES, filled, in_directions, principal_inertia
+from vehicles.models.parts import SIDES, body_of_kind, filled, in_directions
 
 SPRING_DEFLECTION = 0.03  # m, between empty and loaded: first guess of the equilibrium
 PAD_DEFLECTION = 1e-3
@@ -14,20 +14,13 @@ PAD_DEFLECTION = 1e-3
 def bogie_bodies(p: ParameterSet, number: int, middle: float) -> tuple[Body, ...]:
     """Bolster, side frames and wheelsets of bogie `number` (1 leading), its middle at x = `middle` [m]."""
     spacing = p["wheelset.axle_box_half_spacing"]
-    bolster = Body(
-        f"bolster_{number}",
-        "bolster",
-        p["bolster.mass"],
-        principal_inertia(p, "bolster"),
-        (middle, 0.0, p["bolster.height"]),
-        SPRING_DEFLECTION,
-    )
+    centre = (middle, 0.0, p["bolster.height"])
+    bolster = body_of_kind(p, "bolster", f"bolster_{number}", centre, SPRING_DEFLECTION)
     side_frames = tuple(
-        Body(
-            f"side_frame_{number}{letter}",
+        body_of_kind(
+            p,
             "side_frame",
-            p["side_frame.mass"],
-            principal_inertia(p, "side_frame"),
+            f"side_frame_{number}{letter}",
             (middle, side * spacing, p["side_frame.height"]),
             PAD_DEFLECTION,
         )
