@@ -33,9 +33,9 @@ def register(app: typer.Typer) -> None:
 
 
 def patch(
-    a_mm: Annotated[float, typer.Option(metavar="mm", help="Semi-axis of the patch in rolling direction.")],
-    b_mm: Annotated[float, typer.Option(metavar="mm", help="Lateral semi-axis.")],
-    load_kn: Annotated[float, typer.Option(metavar="kN", help="Normal force.")],
+    a_mm: inputs.SemiAxisAlong,
+    b_mm: inputs.SemiAxisAcross,
+    load_kn: inputs.NormalForce,
     nu_x: Annotated[
         float, typer.Option(metavar="NUMBER", help="Longitudinal creepage, wheel relative to rail.")
     ] = 0.0,
@@ -43,7 +43,7 @@ def patch(
         float, typer.Option(metavar="NUMBER", help="Lateral creepage, positive to the left.")
     ] = 0.0,
     spin: Annotated[float, typer.Option(metavar="1/m", help="Spin creepage.")] = 0.0,
-    friction: Annotated[float, typer.Option(metavar="NUMBER", help="Friction coefficient.")] = 0.3,
+    friction: inputs.Friction = 0.3,
     theory: Annotated[
         list[str] | None,
         typer.Option(metavar="NAME", help="Only this theory; may be repeated. Theories: {theories}."),
@@ -56,13 +56,7 @@ def patch(
     Ten arguments: each is an option of the command.
     """
     with output.errors_in_one_line():
-        inputs.check_range("--a-mm", a_mm, 0.1, 100.0, "mm")
-        inputs.check_range("--b-mm", b_mm, 0.1, 100.0, "mm")
-        inputs.check_range("--load-kn", load_kn, 0.001, 1000.0, "kN")
-        inputs.check_range("--nu-x", nu_x, -1.0, 1.0)
-        inputs.check_range("--nu-y", nu_y, -1.0, 1.0)
-        inputs.check_range("--spin", spin, -100.0, 100.0, "1/m")
-        inputs.check_range("--friction", friction, 0.001, 2.0)
+        inputs.check_patch(a_mm, b_mm, load_kn, nu_x, nu_y, spin, friction)
         inputs.check_range("--cells", cells, 5, 400)
         inputs.require_new_file(figure, "--out", inputs.FIGURES)
         names = _theories(theory or [])
@@ -147,9 +141,7 @@ def validate_strips() -> None:
     with output.errors_in_one_line():
         from hh_exudyn.contact.strips.validation import strips_table
 
-        with output.status("comparing"):
-            rows = strips_table()
-        _print_comparisons("Coupled strips against numbers from outside", rows)
+        _print_comparisons("Coupled strips against numbers from outside", strips_table)
 
 
 @validate.command("halfspace")
@@ -158,13 +150,13 @@ def validate_halfspace() -> None:
     with output.errors_in_one_line():
         from hh_exudyn.contact.halfspace.validation import halfspace_table
 
-        with output.status("comparing"):
-            rows = halfspace_table()
-        _print_comparisons("The half-space solver against numbers from outside", rows)
+        _print_comparisons("The half-space solver against numbers from outside", halfspace_table)
 
 
-def _print_comparisons(title: str, rows: "list[Comparison]") -> None:
-    """A table with quantity, source, ours, deviation, allowed, verdict."""
+def _print_comparisons(title: str, compared: "Callable[[], list[Comparison]]") -> None:
+    """Compare; print a table with quantity, source, ours, deviation, allowed, verdict."""
+    with output.status("comparing"):
+        rows = compared()
     table = output.new_table(
         title, ("quantity", "source", "ours", "outside", "deviation [%]", "allowed [%]", "verdict")
     )

@@ -20,9 +20,9 @@ def register(app: typer.Typer) -> None:
 
 
 def creep_curve_command(
-    a_mm: Annotated[float, typer.Option(metavar="mm", help="Semi-axis of the patch in rolling direction.")],
-    b_mm: Annotated[float, typer.Option(metavar="mm", help="Lateral semi-axis.")],
-    load_kn: Annotated[float, typer.Option(metavar="kN", help="Normal force.")],
+    a_mm: inputs.SemiAxisAlong,
+    b_mm: inputs.SemiAxisAcross,
+    load_kn: inputs.NormalForce,
     over: Annotated[
         list[str] | None,
         typer.Option(
@@ -34,7 +34,7 @@ def creep_curve_command(
     ] = 0.0,
     nu_y: Annotated[float, typer.Option(metavar="NUMBER", help="Lateral creepage, likewise.")] = 0.0,
     spin: Annotated[float, typer.Option(metavar="1/m", help="Spin creepage, likewise.")] = 0.0,
-    friction: Annotated[float, typer.Option(metavar="NUMBER", help="Friction coefficient.")] = 0.3,
+    friction: inputs.Friction = 0.3,
     reach: Annotated[
         float,
         typer.Option(metavar="NUMBER", help="Largest creepage, over that of the linear theory at the limit."),
@@ -53,16 +53,11 @@ def creep_curve_command(
     """Creep force over creepage and spin, all theories beside the exact half-space: errors, figure, table.
 
     \f
-    Fourteen arguments: each is an option of the command.
+    Fourteen arguments: each is an option of the command. They are in its units; what is computed, and the
+    table, is in SI.
     """
     with output.errors_in_one_line():
-        inputs.check_range("--a-mm", a_mm, 0.1, 100.0, "mm")
-        inputs.check_range("--b-mm", b_mm, 0.1, 100.0, "mm")
-        inputs.check_range("--load-kn", load_kn, 0.001, 1000.0, "kN")
-        inputs.check_range("--nu-x", nu_x, -1.0, 1.0)
-        inputs.check_range("--nu-y", nu_y, -1.0, 1.0)
-        inputs.check_range("--spin", spin, -100.0, 100.0, "1/m")
-        inputs.check_range("--friction", friction, 0.001, 2.0)
+        inputs.check_patch(a_mm, b_mm, load_kn, nu_x, nu_y, spin, friction)
         inputs.check_range("--reach", reach, 0.01, 100.0)
         inputs.check_range("--points", points, 2, 1000)
         inputs.check_range("--cells", cells, 6, 200)

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 
 FIGURE_DISTANCE = 50_000.0  # km, of the figures without --distance-km: as in Hossein-Nia (2018)
+_THEORY_HELP = "Tangential theory: {damage_theories}. [default: fastrip, with the half-space its own]"
+_NORMAL_HELP = "Normal contact: {normal_contacts}. [default: strips, for a run without them ellipse]"
 
 
 def register(app: typer.Typer) -> None:
@@ -44,20 +46,8 @@ def damage(
         str | None,
         typer.Option(metavar="STATE", help="For Archard's wear coefficients: {surfaces}. [default: dry]"),
     ] = None,
-    theory: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME",
-            help="Tangential theory: {damage_theories}. [default: fastrip, with the half-space its own]",
-        ),
-    ] = None,
-    normal: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME",
-            help="Normal contact: {normal_contacts}. [default: strips, for a run without them ellipse]",
-        ),
-    ] = None,
+    theory: Annotated[str | None, typer.Option(metavar="NAME", help=_THEORY_HELP)] = None,
+    normal: Annotated[str | None, typer.Option(metavar="NAME", help=_NORMAL_HELP)] = None,
     pressure_limit: Annotated[
         float | None,
         typer.Option(metavar="MPA", help="Upper bound of the half-space's pressure; force is kept."),

@@ -17,6 +17,13 @@ RECORDINGS = ()  # of any suffix
 RunFolder = Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")]
 CaseFile = Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file.")]
 NewFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="New or empty folder for the run.")]
+# of an elliptic patch
+SemiAxisAlong = Annotated[
+    float, typer.Option(metavar="mm", help="Semi-axis of the patch in rolling direction.")
+]
+SemiAxisAcross = Annotated[float, typer.Option(metavar="mm", help="Lateral semi-axis.")]
+NormalForce = Annotated[float, typer.Option(metavar="kN", help="Normal force.")]
+Friction = Annotated[float, typer.Option(metavar="NUMBER", help="Friction coefficient.")]
 NewFigure = Annotated[
     Path | None,
     typer.Option("--out", metavar="FIGURE", help="Write a figure to this new file (.png, .pdf, .svg)."),
@@ -41,6 +48,19 @@ def check_range(option: str, value: float | None, low: float, high: float, unit:
     if value is not None and not low <= value <= high:
         behind = f" {unit}" if unit else ""
         raise BadInput(f"{option} {value:g}{behind}: allowed {low:g} to {high:g}{behind}")
+
+
+def check_patch(
+    a_mm: float, b_mm: float, load_kn: float, nu_x: float, nu_y: float, spin: float, friction: float
+) -> None:
+    """Raise `BadInput` for a number of an elliptic patch out of its range."""
+    check_range("--a-mm", a_mm, 0.1, 100.0, "mm")
+    check_range("--b-mm", b_mm, 0.1, 100.0, "mm")
+    check_range("--load-kn", load_kn, 0.001, 1000.0, "kN")
+    check_range("--nu-x", nu_x, -1.0, 1.0)
+    check_range("--nu-y", nu_y, -1.0, 1.0)
+    check_range("--spin", spin, -100.0, 100.0, "1/m")
+    check_range("--friction", friction, 0.001, 2.0)
 
 
 def require_new_folder(folder: Path) -> None:
