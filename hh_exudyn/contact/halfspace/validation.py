@@ -6,12 +6,13 @@ mean deviation of many.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.comparison import Comparison, outside_rows
+from hh_exudyn.contact.geometry.silhouette import WheelRailPair
 from hh_exudyn.contact.halfspace.influence import Grid, Influence
 from hh_exudyn.contact.halfspace.normal import normal_contact, quadratic_overlap
 from hh_exudyn.contact.halfspace.pose import wheel_above_rail
@@ -155,19 +156,31 @@ def _rolling() -> list[Comparison]:
     return rows
 
 
-def _conformal() -> list[Comparison]:
-    """Worst deviations over the poses from tread to flange."""
+def conformal_poses() -> Iterator[tuple[WheelRailPair, dict[str, float], bool]]:
+    """Poses of ``conformal.csv`` from tread to flange, S1002 on 60E1 1:30.
+
+    Yields
+    ------
+    tuple
+        The pair, the numbers of the row by column, and whether the load was given, not the height.
+    """
     wheel, rail = wheel_profile("S1002"), rail_profile("60E1", 1.0 / 30.0)
-    force: list[float] = []
-    root: list[float] = []
-    flange: list[float] = []
     for row in outside_rows("conformal.csv"):
         v = {name: float(value) for name, value in row.items() if name != "given"}
         pair = wheel_above_rail(
             wheel, rail, RIGHT, lateral=-v["y_out"] * 1e-3, height=0.4575 - v["z_ws"] * 1e-3, radius=0.4575,
             yaw=-v["yaw"] * 1e-3, gauge=1.445,
         )  # fmt: skip
-        found = conformal_contact(pair, load=v["Fz"] if row["given"] == "load" else None)
+        yield pair, v, row["given"] == "load"
+
+
+def _conformal() -> list[Comparison]:
+    """Worst deviations over the poses from tread to flange."""
+    force: list[float] = []
+    root: list[float] = []
+    flange: list[float] = []
+    for pair, v, load_given in conformal_poses():
+        found = conformal_contact(pair, load=v["Fz"] if load_given else None)
         if found is None:
             raise ArithmeticError(f"no contact at y_out = {v['y_out']} mm, z_ws = {v['z_ws']} mm")
         force += [abs(found.vertical / v["Fz"] - 1.0), abs(found.outwards / v["Fy"] - 1.0)]

@@ -5,17 +5,15 @@ import math
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.comparison import Comparison, outside_rows
+from hh_exudyn.contact.comparison import Comparison
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, wheel_rail_pair
-from hh_exudyn.contact.halfspace.pose import wheel_above_rail
+from hh_exudyn.contact.halfspace.validation import conformal_poses
 from hh_exudyn.contact.material import STEEL
 from hh_exudyn.contact.normal.hertz import hertz_patch
-from hh_exudyn.contact.profile import rail_profile, wheel_profile
 from hh_exudyn.contact.profiles.spline import uniform_table
 from hh_exudyn.contact.strips.normal import normal_rows
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row, wheel_strips
 from hh_exudyn.contact.types import WheelStrips
-from hh_exudyn.conventions import RIGHT
 
 _MODULUS = STEEL.shear_modulus / (1.0 - STEEL.poisson_ratio)
 _RADIUS, _LOAD = 0.46, 100e3  # m, N of the ellipses
@@ -61,16 +59,10 @@ def _ellipses() -> list[Comparison]:
 
 def _conformal() -> list[Comparison]:
     """Worst force and 90th percentile of the pressure's error over poses from tread to flange."""
-    wheel, rail = wheel_profile("S1002"), rail_profile("60E1", 1.0 / 30.0)
     force: list[float] = []
     root: list[float] = []
     flange: list[float] = []
-    for row in outside_rows("conformal.csv"):
-        v = {name: float(value) for name, value in row.items() if name != "given"}
-        pair = wheel_above_rail(
-            wheel, rail, RIGHT, lateral=-v["y_out"] * 1e-3, height=0.4575 - v["z_ws"] * 1e-3, radius=0.4575,
-            yaw=-v["yaw"] * 1e-3, gauge=1.445,
-        )  # fmt: skip
+    for pair, v, _ in conformal_poses():
         strips = wheel_strips(pair.wheel)
         rows = _solved(pair, strips, False)
         vertical, lateral = rows[Row.LOAD] @ rows[Row.COSINE], rows[Row.LOAD] @ rows[Row.SINE]
