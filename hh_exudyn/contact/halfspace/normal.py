@@ -167,36 +167,30 @@ def _first_guess(
     return pressure * (0.6 * total.max() / influence.normal(pressure).max())
 
 
-def _check(
-    influence: Influence,
-    overlap: FloatArray,
-    weight: FloatArray,
-    approach: float | None,
-    load: float | None,
-    limit: float,
-    start: FloatArray | None,
+def _check_arrays(
+    influence: Influence, overlap: FloatArray, weight: FloatArray, start: FloatArray | None
 ) -> None:
-    """ValueError for anything out of range."""
+    """ValueError for an array of another shape, or with values out of range."""
     if overlap.shape != influence.grid.shape or weight.shape != influence.grid.shape:
         raise ValueError(
             f"overlap {overlap.shape}: an array of the grid's shape {influence.grid.shape} is needed"
         )
     if not (np.all(np.isfinite(overlap)) and np.all(weight > 0.0)):
         raise ValueError("overlap must be finite [m] and weight > 0 in all elements")
-    if (approach is None) == (load is None):
-        raise ValueError(f"approach = {approach} m, load = {load} N: one of both is needed")
     if start is not None and (start.shape != overlap.shape or not np.all(start >= 0.0)):
         raise ValueError(f"start {start.shape}: pressures >= 0 Pa of the grid's shape are needed")
+
+
+def _check_numbers(approach: float | None, load: float | None, limit: float, most: float) -> None:
+    """ValueError for a number out of range; `most` is what the grid carries at the limit [N]."""
+    if (approach is None) == (load is None):
+        raise ValueError(f"approach = {approach} m, load = {load} N: one of both is needed")
     if approach is not None and not np.isfinite(approach):
         raise ValueError(f"approach = {approach} m; it must be finite")
     if not limit > 0.0:
         raise ValueError(f"limit = {limit} Pa; it must be > 0 Pa")
-    if load is not None:
-        most = limit * influence.grid.area * float(weight.sum())
-        if not 0.0 < load < most:
-            raise ValueError(
-                f"load = {load} N; it must lie in 0..{most} N, what the grid carries at the limit"
-            )
+    if load is not None and not 0.0 < load < most:
+        raise ValueError(f"load = {load} N; it must lie in 0..{most} N, what the grid carries at the limit")
 
 
 def normal_contact(
@@ -211,6 +205,8 @@ def normal_contact(
     tolerance: float = TOLERANCE,
 ) -> NormalSolution:
     """Pressure between two bodies of any shape, at a given approach or under a given load.
+
+    By the conjugate gradients of Polonsky and Keer (1999) with an upper bound, see the head of this file.
 
     Parameters
     ----------
@@ -244,7 +240,8 @@ def normal_contact(
     """
     overlap = np.ascontiguousarray(overlap, dtype=np.float64)
     weights = np.ones(overlap.shape) if weight is None else np.ascontiguousarray(weight, dtype=np.float64)
-    _check(influence, overlap, weights, approach, load, limit, start)
+    _check_arrays(influence, overlap, weights, start)
+    _check_numbers(approach, load, limit, limit * influence.grid.area * float(weights.sum()))
     if start is not None and start.any():
         pressure = np.array(start, dtype=np.float64)
     else:
