@@ -217,17 +217,10 @@ def wheelset_equilibrium(
     for name, value in zip(("load of the left wheel", "load of the right wheel"), loads, strict=True):
         _check(name, value, 1.0, 1e6, "N")
     model = wheel_rail_model(
-        wheel_left,
-        wheel_right,
-        rail_left,
-        rail_right,
-        nominal_radius=radius,
-        back_to_back=back_to_back,
-        material=material,
-        normal=normal,
-        theory=theory,
-        cells=cells,
-    )
+        wheel_left, wheel_right, rail_left, rail_right,
+        nominal_radius=radius, back_to_back=back_to_back,
+        material=material, normal=normal, theory=theory, cells=cells,
+    )  # fmt: skip
 
     def wheels(roll: float) -> tuple[WheelOnRail, WheelOnRail]:
         return (

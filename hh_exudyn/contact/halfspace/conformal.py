@@ -28,12 +28,14 @@ _FINE = 4  # steps of the arc's integral to a node of the profile's table
 
 @dataclass(frozen=True)
 class ConformalOverlap:
-    """Strips of a wheel above its rail, arrays (n,).
+    """Strips of a wheel above its rail.
+
+    `touching` and `field` follow from these numbers alone, without the profiles.
 
     Attributes
     ----------
     spacing : float
-        Width of a strip along the arc [m].
+        Width of every strip along the arc [m]; the arrays are (n,).
     y_wheel, y_rail : ndarray
         Places on the profiles, side coordinates [m].
     overlap : ndarray
@@ -138,13 +140,9 @@ def conformal_overlap(
     _fill(pair, strips)
     return ConformalOverlap(
         spacing=spacing,
-        y_wheel=strips[:, Y_WHEEL],
-        y_rail=strips[:, Y_RAIL],
-        overlap=strips[:, OVERLAP],
-        angle=strips[:, ANGLE],
-        curvature=strips[:, CURVATURE],
-        crest=strips[:, CREST],
-        point_y=strips[:, POINT_Y],
-        point_z=strips[:, POINT_Z],
+        y_wheel=strips[:, Y_WHEEL], y_rail=strips[:, Y_RAIL],
+        overlap=strips[:, OVERLAP], angle=strips[:, ANGLE],
+        curvature=strips[:, CURVATURE], crest=strips[:, CREST],
+        point_y=strips[:, POINT_Y], point_z=strips[:, POINT_Z],
         side=pair.side,
-    )
+    )  # fmt: skip

@@ -246,32 +246,22 @@ def rolling_contact(
     start: FloatArray | None = None,
     tolerance: float = TOLERANCE,
 ) -> RollingSolution:
-    """Tractions and slip in steady rolling along +x.
+    """Tractions and slip in steady rolling along +x, by the Newton method of the head of this file.
+
+    With the pressure of `normal.normal_contact` in the bound it is Kalker's full theory (1990).
 
     Parameters
     ----------
-    influence : Influence
-        Grid and material.
+    influence, start, tolerance
+        As of `normal.normal_contact`; the start is a traction (2, ny, nx), the tolerance is of the largest
+        residual (see `RollingSolution`).
     bound : ndarray, (ny, nx)
         Friction coefficient times pressure [Pa], >= 0; zero outside the contact.
     slip : ndarray, (2, ny, nx)
         Rigid slip over V of every element [-], of the wheel relative to the rail: `rigid_slip` in a plane
         patch, and any field where the creepages vary over a curved one.
-    start : ndarray, (2, ny, nx), optional
-        A traction to start from [Pa], of a similar contact.
-    tolerance : float
-        Largest residual (see `RollingSolution`) [-].
 
-    Returns
-    -------
-    RollingSolution
-
-    Raises
-    ------
-    ValueError
-        For an argument out of range.
-    ArithmeticError
-        Without convergence.
+    Errors are those of `normal.normal_contact`.
     """
     bound = np.ascontiguousarray(bound, dtype=np.float64)
     rigid = np.ascontiguousarray(slip, dtype=np.float64)

@@ -137,6 +137,8 @@ def stress_below(
 ) -> StressField:
     """Stresses below the elements of a grid.
 
+    After Boussinesq and Cerruti (Johnson 1985); frame and signs: see the head of this file.
+
     Parameters
     ----------
     grid : Grid

@@ -237,6 +237,8 @@ def march_directions(
 ) -> tuple[float, float]:
     """Fill the rows of a block of strips that is prepared for the march (kernel, allocates nothing).
 
+    The caller scales the slip of all blocks together, by their power over their work.
+
     Parameters
     ----------
     first, count, groups : int

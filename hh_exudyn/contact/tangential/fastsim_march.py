@@ -66,6 +66,8 @@ def single_stiffness(
 ) -> float:
     """1/L of the three flexibilities weighted by the creepages [Pa/m].
 
+    One flexibility for all creepages, as Kalker (1982) weights the three.
+
     Parameters
     ----------
     stiff_x, stiff_y, stiff_phi : float
