@@ -29,17 +29,19 @@ Contact
     approach                elastic approach of wheel and rail along the normal [m]
     C11, C22, C23, C33      Kalker's creep coefficients [-]
     contact frame C         x in rolling direction, z the normal from the rail into the wheel
+    coupled strips          strips fixed on a wheel that press on each other: the normal theory of a run
     creepage nu_x, nu_y     slip velocity of the wheel on the rail over the speed [-]
     creep force             tangential force of a rolling contact, here on the wheel [N]
     FASTSIM                 Kalker's simplified theory, 1982
     FaStrip                 Sichani, Enblom and Berg, 2016
+    half-space              Kalker's full theory: both bodies elastic half-spaces, the reference of all others
     interpenetration        overlap of the undeformed profiles [m]
     p_max, p0               largest contact pressure [Pa]
     phi                     spin creepage: relative angular velocity about the normal over the speed [1/m]
     Q, Y                    vertical and lateral force of one wheel on its rail [N]; Y/Q their ratio
     rigid slip              slip of the undeformed bodies; slip adds that of the elastic deformation
     rolling radius          radius of the wheel at the contact [m]
-    strip                   part of a patch along the rolling direction
+    strip                   part of a patch along the rolling direction; of a wheel, a ring of its profile
 
 Damage
     Archard, Jendel         wear depth from pressure and sliding distance; Jendel's map of its coefficient
