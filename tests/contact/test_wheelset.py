@@ -115,6 +115,27 @@ def test_manchester_benchmark(number: int, normal: str, solve: Solve) -> None:
     assert abs(wheel.height - (R0 - float(row["z_ws"]) * 1e-3)) < 6e-6
 
 
+@pytest.mark.parametrize("number", range(len(ROWS)), ids=lambda i: "-".join(str(x) for x in name(ROWS[i])))
+def test_manchester_benchmark_by_coupled_strips(number: int, solve: Solve) -> None:
+    """Place within 0.13 mm, creep forces within 1.8 % of mu N (4.6 at 60 kN, y = 0), pressure within 7 %.
+
+    On the right flange, 1.4 mm wide, one or two strips carry the load: the pressure is up to 24 % too low.
+    """
+    row = ROWS[number]
+    if name(row) == JUMP:
+        return
+    wheel, sign = solve(number, "coupled_strips"), 1.0 if row["side"] == "left" else -1.0
+    contacts, force = wheel.contacts, float(row["fn"])
+    assert sum(c.normal_force for c in contacts) == pytest.approx(force, rel=5e-3)
+    assert mean(contacts, "y_rail") * 1e3 == pytest.approx(sign * float(row["y_pn"]), abs=0.15)
+    assert mean(contacts, "contact_angle") == pytest.approx(sign * float(row["delta_r"]), abs=0.005)
+    assert sum(c.force_x for c in contacts) == pytest.approx(-float(row["fx"]), abs=0.05 * 0.3 * force)
+    assert sum(c.force_y for c in contacts) == pytest.approx(float(row["fs"]), abs=0.02 * 0.3 * force)
+    narrow = row["side"] == "right" and float(row["y_ws"]) >= 7.0
+    tolerance = 0.25 if narrow else 0.14 if name(row) in CONFORMAL else 0.08
+    assert max(c.p_max for c in contacts) == pytest.approx(float(row["pmax"]) * 1e6, rel=tolerance)
+
+
 def test_strips_are_better_than_hertz_in_the_mean(solve: Solve) -> None:
     """Pressure of ANALYN and place of both against Hertz, in the mean and on the conformal rows.
 
