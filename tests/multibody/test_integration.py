@@ -113,7 +113,10 @@ def test_ctrl_c_keeps_the_log(short_case, runs):
     assert cut.kinetic_energy == pytest.approx(whole.kinetic_energy[: cut.time.size], abs=0.0)
 
 
-def test_ctrl_c_before_the_integration(short_case, runs):
+def test_ctrl_c_before_the_integration(short_case, runs, request):
+    # a shell's background jobs ignore Ctrl-C, and so would a test run among them
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    request.addfinalizer(lambda: signal.signal(signal.SIGINT, before))
     progress, _ = interrupt_at(0.0)
     with pytest.raises(KeyboardInterrupt):
         simulate(short_case, runs / "interrupted_early", progress)
