@@ -12,7 +12,7 @@ from scanned_wheel import hollow_wheel
 from scipy.optimize import brentq
 from strip_poses import MODULUS, WheelAndRail, wheel_and_rail
 
-from hh_exudyn.contact.profile import rail_profile, read_wheel_profile, wheel_profile
+from hh_exudyn.contact.profile import rail_profile, read_rail_profile, read_wheel_profile, wheel_profile
 from hh_exudyn.contact.profiles.spline import uniform_table
 from hh_exudyn.contact.strips.table import Row, wheel_strips
 from hh_exudyn.contact.types import WheelStrips
@@ -61,7 +61,30 @@ PAIRS = {
 @pytest.mark.parametrize("name", PAIRS)
 def test_continuous_across(name: str) -> None:
     """No step above 1.5 kN within 0.5 um, at three heights; asked of every pair up to four wheel loads."""
-    pair = PAIRS[name]
+    is_continuous_across(PAIRS[name])
+
+
+MEASURED = [
+    ("worn_high_mileage.prw", None),
+    ("left-wheel-v1-pre-dry.whl", None),
+    (None, "site_b_hr.prr"),
+    ("worn_high_mileage.prw", "site_b_hr.prr"),
+]
+
+
+@pytest.mark.parametrize(("wheel", "rail"), MEASURED)
+def test_measured_profiles(shared_profiles: Path, wheel: str | None, rail: str | None) -> None:
+    """Worn wheels and a worn rail of others: continuous across, and monotone in height."""
+    pair = wheel_and_rail(
+        read_wheel_profile(shared_profiles / wheel) if wheel else S1002,
+        read_rail_profile(shared_profiles / rail) if rail else RAIL,
+    )
+    is_continuous_across(pair)
+    is_monotone_in_height(pair)
+
+
+def is_continuous_across(pair: WheelAndRail) -> None:
+    """The steps of both forces, up to four wheel loads."""
     for lowered in (0.1e-3, -0.1e-3, -0.25e-3):
         for start in (-8e-3, 6e-3, 10e-3, 11e-3):
             places = start + 0.5e-6 * np.arange(400)
@@ -72,7 +95,11 @@ def test_continuous_across(name: str) -> None:
 
 @pytest.mark.parametrize("name", PAIRS)
 def test_monotone_in_height(name: str) -> None:
-    pair = PAIRS[name]
+    is_monotone_in_height(PAIRS[name])
+
+
+def is_monotone_in_height(pair: WheelAndRail) -> None:
+    """The vertical force never falls as the wheel sinks."""
     for place in np.linspace(-10e-3, 12e-3, 12):
         vertical = np.array(
             [pair.forces(place, lowered, 1e-3)[0] for lowered in np.arange(-6e-4, 3e-4, 2e-6)]
