@@ -63,7 +63,7 @@ EDITS = {  # what a new channel takes: file, the text before which a line is put
     ),
     "of a patch": (
         (*BEFORE_YAW, '    Column("slip", PATCH, "m/s", "along and across"),'),
-        ("hh_exudyn/contact/state.py", "    FLOORED = 18", "    SLIP = 19"),
+        ("hh_exudyn/contact/state.py", "    FLOORED = 20", "    SLIP = 21"),
         (
             "hh_exudyn/contact/state.py",
             "    record[Patch.NORMAL_FORCE] =",
