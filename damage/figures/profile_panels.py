@@ -55,7 +55,8 @@ def wear_figure(
     }
     # the same room for both: a dry flange root wears hundreds of times faster than the tread
     shrunk = max(1.0, highest["flange"] / highest["tread"]) if highest["tread"] > 0.0 else 1.0
-    _finish(panels, profile, root, max(highest["tread"], highest["flange"] / shrunk))
+    lines = 2 if any(report.seized[index] for index in panels) else 1
+    _finish(panels, profile, root, max(highest["tread"], highest["flange"] / shrunk), lines)
     for index, axes in panels.items():
         for place, where, across, colour, scale in (
             ("tread", tread, 0.02, _TREAD_COLOUR, 1.0),
@@ -163,9 +164,11 @@ def _flange_root(profile: Profile | None, flange_angle: float) -> float:
     return float(middles[np.argmax(steep)]) if steep.any() else float(profile.y[-1])
 
 
-def _finish(panels: dict[int, Axes], profile: Profile | None, root: float, highest: float) -> None:
-    """One scale for all panels, the flange side marked, and the profile's outline below zero."""
-    top = 1.3 * highest if highest > 0.0 else 1.0
+def _finish(
+    panels: dict[int, Axes], profile: Profile | None, root: float, highest: float, lines: int = 1
+) -> None:
+    """One scale for all panels with room for lines of text; flange side marked, outline below zero."""
+    top = (1.0 + 0.3 * lines) * highest if highest > 0.0 else 1.0
     for axes in panels.values():
         axes.set_xlim(_SHOWN[0] * 1e3, _SHOWN[1] * 1e3)
         axes.set_ylim(0.0 if profile is None else -_BELOW * top, top)

@@ -11,7 +11,7 @@ import numpy as np
 import pyarrow
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.types import RollingPatch
+from hh_exudyn.contact.types import Elastic, RollingPatch
 from hh_exudyn.kernel import inlined_kernel
 from hh_exudyn.log.channels import CONTACT
 
@@ -60,13 +60,6 @@ WEAR_COLUMNS = (*LOAD_COLUMNS, "speed", "rolling_radius")
 
 _ABOVE_ZERO = ("speed", "rolling_radius")
 _NOT_BELOW_ZERO = ("a", "b", "normal_force", "friction")
-
-
-class Elastic(NamedTuple):
-    """Elastic constants of wheel and rail, for the kernels."""
-
-    shear_modulus: float  # [Pa]
-    poisson_ratio: float
 
 
 @inlined_kernel

@@ -26,11 +26,11 @@ from numpy.typing import ArrayLike
 
 from damage.bounds import check_above_zero
 from damage.cells import cell_middles
-from damage.log_input.states import LOAD_COLUMNS, ContactStates, Elastic, contact_states, patch_of
+from damage.log_input.states import LOAD_COLUMNS, ContactStates, contact_states, patch_of
 from damage.material import WheelMaterial
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel
-from hh_exudyn.contact.types import Fields
+from hh_exudyn.contact.types import Elastic, Fields
 from hh_exudyn.kernel import kernel
 
 _ROUNDED_UP = 1.0 + 1e-14  # margin: a cell must not exceed its own value by rounding

@@ -24,7 +24,7 @@ from damage.log_input.bad_rows import BadRows
 from damage.log_input.contact_source import ContactSource
 from damage.log_input.contact_states import CHUNK_ROWS, DAMAGE_COLUMNS
 from damage.log_input.output_clock import OutOfOrder, OutputClock, TimedStates, output_clock, timed_states
-from damage.log_input.states import POSE_COLUMNS, ContactStates, Elastic, patch_of
+from damage.log_input.states import POSE_COLUMNS, ContactStates, patch_of
 from damage.model import DamageModel
 from damage.patch_strips import FLANGE, TREAD
 from damage.rcf.number import COLUMNS, CORRECTED, COUNTED, ENERGY, Bins
@@ -47,6 +47,7 @@ from damage.surface.wheel_surface import Wheel, WheelSurface
 from damage.wear.energy import wear_number
 from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.strips.table import CAPACITY
+from hh_exudyn.contact.types import Elastic
 
 BLOCK_ROWS = 2500  # rows of a block: some 50 ms of work; the sums depend on it in the last digits
 HALFSPACE_ROWS = 50  # of the half-space: a second; the first of a block begins from nothing

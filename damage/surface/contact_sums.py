@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from damage.log_input.states import ContactStates, Elastic, patch_of
+from damage.log_input.states import ContactStates, patch_of
 from damage.patch_strips import PatchStrips, ellipse_strips, place_strips, strips_space
 from damage.rcf.burstow import BurstowLimits
 from damage.rcf.local import strip_fatigue
@@ -15,7 +15,7 @@ from damage.surface.lateral_grid import spread
 from damage.surface.patch_field import patch_field
 from damage.wear.law import REGIMES, LawValues, SolvedPatch
 from hh_exudyn.arrays import FloatArray, IntArray
-from hh_exudyn.contact.types import Fields, RollingPatch
+from hh_exudyn.contact.types import Elastic, Fields, RollingPatch
 from hh_exudyn.kernel import inlined_kernel, kernel
 
 

@@ -17,7 +17,7 @@ from damage.log_input.states import ContactStates, patch_of
 from damage.patch_strips import FLANGE, TREAD, PatchStrips, ellipse_strips, place_strips, strips_space
 from damage.surface.contact_sums import Placed, Solving
 from damage.surface.lateral_grid import LateralGrid
-from damage.surface.rebuilt_sums import logged_pair
+from damage.surface.rebuilt_sums import pose_of
 from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.halfspace.conformal import wheel_arc
 from hh_exudyn.contact.halfspace.conformal_slip import slip_of_creepages
@@ -30,6 +30,7 @@ from hh_exudyn.contact.halfspace.wheel_rail import (
     conformal_contact,
 )
 from hh_exudyn.contact.material import Material
+from hh_exudyn.contact.strips.rebuilt import logged_pair
 from hh_exudyn.contact.types import Fields, WheelRailModel
 
 SPACING = (0.4e-3, 0.4e-3)  # m, of the elements along the patch and across
@@ -121,7 +122,7 @@ class WheelSolver:
     ) -> ConformalContact:
         """The wheel pressed on its rail with the normal force of a row."""
         side, place = float(states.side[row]), float(states.y_wheel[row])
-        pair = logged_pair(self.contact, states, row, np.zeros((2, 3)))
+        pair = logged_pair(self.contact, pose_of(states, row), np.zeros((2, 3)))
         if side not in self._arcs:
             self._arcs[side] = wheel_arc(pair.wheel)
         within = (float(placed.lowest[row]), float(placed.highest[row]))

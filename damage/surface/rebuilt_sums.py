@@ -14,9 +14,7 @@ from damage.patch_strips import FLANGE, TREAD, PatchStrips, first_strips
 from damage.surface.contact_sums import Placed, Solving, Sums, Work, add_patch, turning_of
 from damage.surface.lateral_grid import LateralGrid
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.geometry.rail_tables import rail_at
-from hh_exudyn.contact.geometry.silhouette import WheelRailPair, wheel_rail_pair
-from hh_exudyn.contact.strips.rebuilt import Elastic, LoggedPatch, rebuilt_rows
+from hh_exudyn.contact.strips.rebuilt import LoggedPatch, LoggedPose, rebuilt_rows
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
 from hh_exudyn.contact.types import WheelRailModel
 from hh_exudyn.kernel import inlined_kernel, kernel
@@ -72,32 +70,17 @@ def rebuild_work() -> RebuildWork:
 
 
 @inlined_kernel
-def logged_pair(
-    contact: WheelRailModel, states: ContactStates, row: int, vectors: FloatArray
-) -> WheelRailPair:
-    """The wheel on its rail in the pose of a row (kernel).
-
-    The rail is that of the row's place on the track; the axle's direction follows from yaw and roll.
+def pose_of(states: ContactStates, row: int) -> LoggedPose:
+    """The pose of a contact state, by its row (kernel).
 
     Parameters
     ----------
-    contact
-        Profiles of the run.
     states, row
         Contact states with their poses, and the number of one.
-    vectors
-        (2, 3) work space.
     """
-    left = states.side[row] > 0.0
-    yaw, roll = states.angle_of_attack[row], states.roll[row]
-    vectors[0, 0], vectors[0, 1], vectors[0, 2] = 0.0, states.centre_y[row], states.centre_z[row]
-    vectors[1, 0] = -math.sin(yaw) * math.cos(roll)
-    vectors[1, 1], vectors[1, 2] = math.cos(yaw) * math.cos(roll), math.sin(roll)
-    rail, _ = rail_at(contact.rails_left if left else contact.rails_right, states.s[row])
-    wheel = contact.wheel_left if left else contact.wheel_right
-    return wheel_rail_pair(
-        wheel, rail, states.side[row], contact.running_circle_distance, contact.nominal_radius,
-        vectors[0], vectors[1],
+    return LoggedPose(
+        states.side[row], states.s[row], states.centre_y[row], states.centre_z[row],
+        states.angle_of_attack[row], states.roll[row],
     )  # fmt: skip
 
 
@@ -131,21 +114,20 @@ def add_rebuilt(
     int
         -1, or the first row in whose pose nothing touches: other profiles were in the run.
     """
-    contact, elastic = rebuild.contact, Elastic(solving.elastic.shear_modulus, solving.elastic.poisson_ratio)
     for row in range(placed.part.size):
         if states.normal_force[row] <= 0.0:
             continue
-        left = states.side[row] > 0.0
         patch = LoggedPatch(
             states.y_wheel[row], states.normal_force[row], states.nu_x[row], states.nu_y[row],
             states.phi[row], states.friction[row],
         )  # fmt: skip
-        pair = logged_pair(contact, states, row, rebuild_space.vectors)
-        wheel = contact.strips_left if left else contact.strips_right
-        count = rebuilt_rows(pair, wheel, elastic, patch, rebuild_space.rows, work.fields)
+        count = rebuilt_rows(
+            rebuild.contact, pose_of(states, row), patch, rebuild_space.vectors, rebuild_space.rows,
+            work.fields,
+        )  # fmt: skip
         if count == 0:
             return row
-        places = rebuild.left if left else rebuild.right
+        places = rebuild.left if states.side[row] > 0.0 else rebuild.right
         loaded, area = _fill_strips(count, places, rebuild, rebuild_space.rows, work.strips)
         strips, fields = first_strips(work.strips, work.fields, loaded)
         for strip in range(loaded):

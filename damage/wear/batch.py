@@ -13,14 +13,14 @@ import numpy as np
 import pyarrow
 
 from damage.cells import cell_middles
-from damage.log_input.states import ContactStates, Elastic, contact_states, patch_of
+from damage.log_input.states import ContactStates, contact_states, patch_of
 from damage.patch_strips import PatchStrips, ellipse_strips, strips_space
 from damage.wear.energy import strip_energies
 from damage.wear.law import REGIMES, LawValues, SolvedPatch, WearLaw, require_known
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.tangential.registry import FIELD_THEORIES, THEORIES, field_kernel
-from hh_exudyn.contact.types import Fields
+from hh_exudyn.contact.types import Elastic, Fields
 from hh_exudyn.kernel import kernel
 
 

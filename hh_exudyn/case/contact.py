@@ -19,10 +19,10 @@ class ContactCase(CaseTable):
     from memory), so d = 0.12 to 0.48 s/m. It is a damper of 24 kN s/m at 80 kN; SIMPACK's usual one is about
     140, d = 1.75 s/m, more damping than that of steel. In the demo 0.3 s/m take 0.1 % of the energy lost
     in the contacts and 1.75 take 0.6 %; on ERRI-low down to 0.5 m the vertical forces above 100 Hz are 4 to
-    45 N (rms) with either, on rigid track 10 % less with 1.75. It matters only where a wheel jumps between
-    root and flange (R 250 m, friction 0.5): 6 and 13 % of the energy, peaks of 640 and 490 kN, rms above
-    100 Hz alike. Contact modes near 580 Hz are damped to 17 and 39 % of critical. These figures are older
-    than the frames of the rails (`track.course.rail_frame`) and not measured again since.
+    45 N (rms) with either, on rigid track 10 % less with 1.75. It mattered only where the ellipses of a
+    wheel jumped between root and flange, which strips do not. Contact modes near 580 Hz are damped to 17 and
+    39 % of critical. These figures are older than the frames of the rails (`track.course.rail_frame`) and
+    coupled strips, and not measured again since.
 
     Without a normal theory it is coupled strips, or Hertz's ellipse for a tangential theory that is made for
     ellipses. Coupled strips lie where they lie on the wheel: they take the cells along from `cells`, not the

@@ -13,14 +13,13 @@ import numpy as np
 from scipy.optimize import brentq
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.geometry.rail_tables import rail_at
 from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MAXIMA, STIFFNESS, Y_WHEEL
-from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette, wheel_rail_pair
+from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette
 from hh_exudyn.contact.normal.neighbours import find_patches
 from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
 from hh_exudyn.contact.normal.registry import COUPLED_STRIPS, HERTZ
 from hh_exudyn.contact.profiles.spline import spline_evaluate
-from hh_exudyn.contact.strips.rebuilt import Elastic, LoggedPatch, rebuilt_rows
+from hh_exudyn.contact.strips.rebuilt import LoggedPatch, LoggedPose, logged_pair, rebuilt_rows
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
 from hh_exudyn.contact.tangential.api import TractionField
 from hh_exudyn.contact.tangential.fastrip import field_on_strips
@@ -208,38 +207,19 @@ def _rebuild(model: WheelRailModel, state: State, rows: FloatArray, fields: Fiel
 
     ValueError where no strip carries load in the logged pose: other profiles were in the run.
     """
-    left = state.side == LEFT
-    rail, _ = rail_at(model.rails_left if left else model.rails_right, state.s)
-    pair = wheel_rail_pair(
-        model.wheel_left if left else model.wheel_right,
-        rail,
-        float(state.side),
-        model.running_circle_distance,
-        model.nominal_radius,
-        np.array([0.0, state.centre_y, state.centre_z]),
-        _axle(state),
+    pose = LoggedPose(
+        float(state.side), state.s, state.centre_y, state.centre_z, state.angle_of_attack, state.roll
     )
     patch = LoggedPatch(state.y_wheel, state.normal_force, state.nu_x, state.nu_y, state.phi, state.friction)
-    count = rebuilt_rows(
-        pair,
-        model.strips_left if left else model.strips_right,
-        Elastic(model.shear_modulus, model.poisson_ratio),
-        patch,
-        rows,
-        Fields(*np.zeros((5, 0, 0))) if fields is None else fields,
-    )
+    no_fields = Fields(*np.zeros((5, 0, 0)))
+    vectors = np.zeros((2, 3))
+    count = rebuilt_rows(model, pose, patch, vectors, rows, no_fields if fields is None else fields)
     if count == 0:
         raise ValueError(
             f"no load at y_wheel = {state.y_wheel:.5f} m with the wheelset's centre at centre_y = "
             f"{state.centre_y:.5f} m, centre_z = {state.centre_z:.5f} m from these profiles' rail"
         )
     return int(count)
-
-
-def _axle(state: State) -> FloatArray:
-    """Direction of the axle in axes of R."""
-    yaw, roll = state.angle_of_attack, state.roll
-    return np.array([-math.sin(yaw) * math.cos(roll), math.cos(yaw) * math.cos(roll), math.sin(roll)])
 
 
 def traction_on_shape(
@@ -324,20 +304,10 @@ def _solve(model: WheelRailModel, state: State, rows: FloatArray) -> tuple[float
 
 def _pair(model: WheelRailModel, state: State) -> tuple[WheelRailPair, float, float]:
     """Wheel and rail with the logged places above each other, the height of touch and the slope there."""
-    left = state.side == LEFT
-    wheel = model.wheel_left if left else model.wheel_right
-    rail, _ = rail_at(model.rails_left if left else model.rails_right, state.s)
-    pair = wheel_rail_pair(
-        wheel,
-        rail,
-        float(state.side),
-        model.running_circle_distance,
-        model.nominal_radius,
-        np.zeros(3),
-        _axle(state),
-    )
-    z, slope, _ = spline_evaluate(wheel, state.y_wheel)
-    z_rail, _, _ = spline_evaluate(rail, state.y_rail)
+    pose = LoggedPose(float(state.side), state.s, 0.0, 0.0, state.angle_of_attack, state.roll)
+    pair = logged_pair(model, pose, np.zeros((2, 3)))
+    z, slope, _ = spline_evaluate(pair.wheel, state.y_wheel)
+    z_rail, _, _ = spline_evaluate(pair.rail, state.y_rail)
     _, py, pz, _ = silhouette(pair, state.y_wheel, z, slope)
     if not math.isfinite(py + pz + z_rail):
         raise ValueError(f"y_wheel = {state.y_wheel} m, y_rail = {state.y_rail} m: not on the profiles")

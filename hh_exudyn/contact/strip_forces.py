@@ -25,7 +25,6 @@ from hh_exudyn.contact.strips.overlap import overlapping_strips
 from hh_exudyn.contact.strips.pressure import refined_pressures
 from hh_exudyn.contact.strips.shape import shape_strips, touch
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
-from hh_exudyn.contact.tangential.registry import GIVEN
 from hh_exudyn.contact.types import (
     CREEPAGE_SPEED_FLOOR,
     MAX_PATCHES,
@@ -79,10 +78,7 @@ def add_strips(
     _slip(model, pair, wheelsets, rails, i, count, state)
     shape_strips(count, modulus, state)
     _friction(friction, max(wheelsets.velocity[i, 0], CREEPAGE_SPEED_FLOOR), rails, i, side, count, state)
-    if model.theory == GIVEN:
-        _given_forces(model, count, state)
-    else:
-        strip_creep_forces(count, model.shear_modulus, model.poisson_ratio, model.cells_x, state)
+    strip_creep_forces(count, model.shear_modulus, model.poisson_ratio, model.cells_x, state)
     _add_wrench(pair, rails, i, count, state, forces)
     if forces.refine[0] > 0.0:
         refined_pressures(count, modulus, state)
@@ -127,9 +123,6 @@ def _slip(
         wheelsets.angular_velocity[i, 2],
     )
     lag_x, lag_y = wheelsets.creep_lag[i, side, 0], wheelsets.creep_lag[i, side, 1]
-    if model.theory == GIVEN:  # creep forces follow the creepage at once, of a cylinder but for the conicity
-        lag_x, lag_y = 0.0, 0.0
-    rolls = wheelsets.angular_velocity[i, 1] * model.given.conicity if model.theory == GIVEN else 0.0
     turn = (rails.turn[i, 0], rails.turn[i, 1], rails.turn[i, 2])
     changes = changes_at(along_rail, rails.arc_length[i])
     for j in range(count):
@@ -147,7 +140,7 @@ def _slip(
         x = velocity[0] + wy * pz - wz * py
         y = velocity[1] + wz * px - wx * pz
         z = velocity[2] + wx * py - wy * px
-        slip_x = x * along[0] + y * along[1] + z * along[2] + lag_x - rolls * strips.y[k]
+        slip_x = x * along[0] + y * along[1] + z * along[2] + lag_x
         slip_y = x * across[0] + y * across[1] + z * across[2] + s[Row.COSINE, j] * lag_y
         rate = -(x * normal[0] + y * normal[1] + z * normal[2])
         s[Row.NU_X, j], s[Row.NU_Y, j] = slip_x * inverse_speed, slip_y * inverse_speed
@@ -172,21 +165,6 @@ def _friction(
                 math.atan2(s[Row.SINE, j], s[Row.COSINE, j]),
                 speed * math.hypot(s[Row.MEAN_X, j], s[Row.MEAN_Y, j]),
             )
-
-
-@kernel
-def _given_forces(model: WheelRailModel, count: int, state: Memory) -> None:
-    """Creep forces by given coefficients, which are those of the whole wheel, divided as the load is."""
-    s = shaped(state, (ROWS, CAPACITY))
-    total = 0.0
-    for j in range(count):
-        total += s[Row.LOAD, j]
-    for j in range(count):
-        share = s[Row.LOAD, j] / total if total > 0.0 else 0.0
-        if share > 0.0:
-            s[Row.FORCE_X, j] = -model.given.longitudinal * share * s[Row.NU_X, j]
-            s[Row.FORCE_Y, j] = -model.given.lateral * share * s[Row.NU_Y, j]
-            s[Row.MOMENT_Z, j] = 0.0
 
 
 @kernel

@@ -52,6 +52,13 @@ class RailTables(NamedTuple):
     sections: FloatArray  # (sections, 4) columns of `rail_tables`: profile, its first node, gauge point; end
 
 
+class Elastic(NamedTuple):
+    """Elastic constants of wheel and rail, for the kernels."""
+
+    shear_modulus: float  # [Pa]
+    poisson_ratio: float
+
+
 class GivenCreep(NamedTuple):
     """Creep coefficients and conicity that are given instead of following from the patch (`given`)."""
 

@@ -1,7 +1,8 @@
 """From pose and velocity of wheelsets and rails to wrenches and contact states, in one kernel.
 
-For each wheel: `search` finds the patches (with `neighbours`, where they are not elliptic), `patch_forces`
-gives normal and creep forces of each.
+For each wheel: by coupled strips `strip_forces` gives all forces at once. With the other normal theories
+`search` finds the patches (with `neighbours`, where they are not elliptic), and `patch_forces` gives normal
+and creep forces of each.
 
 The forces of a patch act at the contact point on the undeformed wheel (half an approach, some 0.05 mm, from
 where the deformed surfaces meet: without influence on any moment).
@@ -74,7 +75,8 @@ def wheel_rail_model(
     theory : str
         One of `tangential.THEORIES`; ``"fastrip"`` where the patches are not elliptic.
     cells : tuple of int
-        Cells of the tangential solve along and across the patch, 3 .. 200 each.
+        Cells of the tangential solve along and across the patch, 3 .. 200 each; coupled strips have their own
+        number across.
     smoothing : float
         Length over which the profiles' curvature is blurred (see `spline.spline_table`) [m].
 
@@ -178,7 +180,8 @@ def wheel_rail_forces(
     Returns
     -------
     int
-        0, or 1 + 2 * wheelset + side index of the first wheel with a state or force that is not finite.
+        0, or 1 + 2 * wheelset + side index of the first wheel with a state or force that is not finite, or
+        without a solution for the loads of its strips.
     """
     contacts = np.empty((MAX_MAXIMA, CONTACT_COLUMNS))
     strips = np.empty((model.cells_y, STRIP_COLUMNS))

@@ -35,7 +35,7 @@ class Trouble(IntEnum):
 
 
 REASONS = {
-    Trouble.NOT_FINITE: ("divergence", "the state is no longer finite"),
+    Trouble.NOT_FINITE: ("divergence", "the state is no longer finite, or the contact has no solution"),
     Trouble.RUNAWAY: (
         "divergence",
         f"the wheelset moves across at more than {LARGEST_SPEED:g} m/s; a smaller step_ms is needed",

@@ -76,7 +76,8 @@ def test_free_rolling_at_any_speed(demo, runs, speed_km_h, step_ms):
 
 def check_free_rolling(contact, energy):
     assert np.abs(contact.force_x).max() < 1e-4 * contact.Q.mean()
-    assert energy.coupler_power == pytest.approx(energy.contact_power, abs=7.0)  # W
+    still_taken_up = np.gradient(energy.kinetic_energy, energy.time)  # by the wheels' rotation, up to 6 W
+    assert energy.coupler_power == pytest.approx(energy.contact_power + still_taken_up, abs=0.2)  # W
 
 
 def interrupt_at(fraction):

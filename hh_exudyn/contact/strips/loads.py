@@ -7,8 +7,10 @@ P >= 0 the strips in contact approach by their overlaps d and the others are lef
 
 The half length in the influence of a strip is that of an average ellipse, a^2 = 0.6 d/A, but no shorter than
 half its width: then F of equation 1 in `influence` and with it K depend on the pose alone, not on the loads,
-the loads are continuous in the pose, and the problem has one solution. Against the exact half-space, force at
-a given pose is 4 % too low to 4 % too high after K is taken 6 % larger (`CENTRING`; a wheel on a rail, with
+and the loads are continuous in the pose. K is not symmetric, as each column has its strip's half length; that
+the solution is the only one is not proven, but from any guess the tests find the same. (With a symmetric mean
+of half lengths the second solution of `pressure` is 20 % off.) Against the exact half-space, force at a given
+pose is 4 % too low to 4 % too high after K is taken 7 % larger (`influence.CENTRING`; a wheel on a rail, with
 flange root and flange; measured in tests/contact/strips).
 
 The solution of (1) has its edges at borders of strips, and crosses a strip in steps: `edges` makes up for it.

@@ -17,15 +17,16 @@ from typing import NamedTuple
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.geometry.silhouette import WheelRailPair
+from hh_exudyn.contact.geometry.rail_tables import rail_at
+from hh_exudyn.contact.geometry.silhouette import WheelRailPair, wheel_rail_pair
 from hh_exudyn.contact.strips.creep import strip_fields
 from hh_exudyn.contact.strips.loads import first_half_lengths, solve_loads
 from hh_exudyn.contact.strips.overlap import overlapping_strips
 from hh_exudyn.contact.strips.pressure import refine_strips
 from hh_exudyn.contact.strips.shape import shape_strips, touch
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
-from hh_exudyn.contact.types import Fields, Memory, WheelStrips
-from hh_exudyn.kernel import kernel, memory, shaped
+from hh_exudyn.contact.types import Fields, Memory, WheelRailModel, WheelStrips
+from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
 
 _STATE = ROWS * CAPACITY
 
@@ -41,19 +42,53 @@ class LoggedPatch(NamedTuple):
     friction: float
 
 
-class Elastic(NamedTuple):
-    """Elastic constants of wheel and rail."""
+class LoggedPose(NamedTuple):
+    """What a row of the contact log says of its wheel's place on the rail."""
 
-    shear_modulus: float  # [Pa]
-    poisson_ratio: float
+    side: float  # 1 left, -1 right
+    s: float  # arc length along the track [m]
+    centre_y: float  # wheelset's centre from the origin of the rail's profile, axes of R [m]
+    centre_z: float
+    angle_of_attack: float  # [rad]
+    roll: float
+
+
+@inlined_kernel
+def logged_pair(contact: WheelRailModel, pose: LoggedPose, vectors: FloatArray) -> WheelRailPair:
+    """The wheel on its rail in the pose of a row (kernel: trusts its input).
+
+    Parameters
+    ----------
+    contact : WheelRailModel
+        Profiles of the run; the rail is that at the row's place on the track.
+    pose : LoggedPose
+        Of the row.
+    vectors : FloatArray
+        (2, 3) work space.
+    """
+    left = pose.side > 0.0
+    yaw, roll = pose.angle_of_attack, pose.roll
+    vectors[0, 0], vectors[0, 1], vectors[0, 2] = 0.0, pose.centre_y, pose.centre_z
+    vectors[1, 0] = -math.sin(yaw) * math.cos(roll)
+    vectors[1, 1], vectors[1, 2] = math.cos(yaw) * math.cos(roll), math.sin(roll)
+    rail, _ = rail_at(contact.rails_left if left else contact.rails_right, pose.s)
+    return wheel_rail_pair(
+        contact.wheel_left if left else contact.wheel_right,
+        rail,
+        pose.side,
+        contact.running_circle_distance,
+        contact.nominal_radius,
+        vectors[0],
+        vectors[1],
+    )
 
 
 @kernel
 def rebuilt_rows(
-    pair: WheelRailPair,
-    strips: WheelStrips,
-    elastic: Elastic,
+    contact: WheelRailModel,
+    pose: LoggedPose,
     patch: LoggedPatch,
+    vectors: FloatArray,
     rows: FloatArray,
     fields: Fields,
 ) -> int:
@@ -61,10 +96,12 @@ def rebuilt_rows(
 
     Parameters
     ----------
-    pair, strips, patch
-        As of `rebuild_strips`.
-    elastic : Elastic
-        Of wheel and rail.
+    contact : WheelRailModel
+        Profiles, strips and elastic constants of the run.
+    pose, patch : LoggedPose, LoggedPatch
+        The row.
+    vectors : FloatArray
+        (2, 3) work space.
     rows : FloatArray
         (ROWS, CAPACITY) out.
     fields : Fields
@@ -77,10 +114,12 @@ def rebuilt_rows(
     """
     state = memory(_STATE)
     s = shaped(state, (ROWS, CAPACITY))
-    modulus = elastic.shear_modulus / (1.0 - elastic.poisson_ratio)
+    pair = logged_pair(contact, pose, vectors)
+    strips = contact.strips_left if pose.side > 0.0 else contact.strips_right
+    modulus = contact.shear_modulus / (1.0 - contact.poisson_ratio)
     count = rebuild_strips(pair, strips, modulus, patch, state)
     if count > 0 and fields.pressure.shape[0] > 0:
-        strip_fields(count, elastic.shear_modulus, elastic.poisson_ratio, state, fields)
+        strip_fields(count, contact.shear_modulus, contact.poisson_ratio, state, fields)
     for row in range(ROWS):
         for j in range(count):
             rows[row, j] = s[row, j]

@@ -44,11 +44,11 @@ def test_motion_in_time_decays_just_below_and_grows_just_above(wheelset, share):
     """At the rate and frequency of the mode: the nonlinear run and the eigenvalue are of the same model."""
     speed = share * closed_form()[0]
     _, mode = wheelset.growth(speed)
-    motion = lateral_motion(wheelset, speed, 1.5, 1e-4)
+    motion = lateral_motion(wheelset, speed, 1.5, 1e-4, step=2e-4)  # third order: at 0.4 ms 0.6 %
     rate = motion.growth_rate(0.4)
     assert rate * (share - 1.0) > 0.0
-    assert rate == pytest.approx(mode.eigenvalue.real, rel=7e-3)
-    assert motion.frequency(0.4) == pytest.approx(mode.frequency, rel=5e-3)
+    assert rate == pytest.approx(mode.eigenvalue.real, rel=1e-3)
+    assert motion.frequency(0.4) == pytest.approx(mode.frequency, rel=1e-3)
 
 
 def cones(path, slope):
