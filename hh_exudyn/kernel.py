@@ -1,4 +1,4 @@
-"""The only importer of numba: `kernel`, `inlined_kernel`, `kernel_value`, `memory`, `Bundle` of many arrays.
+"""The only importer of numba: decorators of kernels, `kernel_value`, `memory`, `Bundle` of many arrays.
 
 Numba's file cache does not notice when a kernel in ANOTHER file changes, and then runs old code without a
 warning. Here the cache folder of a kernel is named by the hash of every source that it can depend on: all
@@ -30,6 +30,7 @@ from numba.experimental import (
     structref,
 )
 from numba.extending import intrinsic
+from numba.np.arrayobj import populate_array
 from numpy.typing import NDArray
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -144,10 +145,17 @@ def _compiled(function: F, **options: bool) -> F:
 def kernel(function: F) -> F:
     """Compile a function to machine code (numba, no Python objects), cached by the hash of their sources.
 
-    Divisions by zero give infinities or NaN as in numpy instead of exceptions. Set NUMBA_DISABLE_JIT=1 to
-    run kernels as plain Python.
+    It cannot allocate arrays nor return any, and so counts no references to those it takes: the counts of
+    the tables that the contact's kernels hand on would take an eighth of the time of a run. Divisions by zero
+    give infinities or NaN as in numpy instead of exceptions. Set NUMBA_DISABLE_JIT=1 to run kernels as plain
+    Python.
     """
-    return _compiled(function)
+    return _compiled(function, _nrt=False)
+
+
+def allocating_kernel(function: F) -> F:
+    """`kernel` for a function that allocates arrays; where it returns one, its callers must be of this kind."""
+    return _compiled(function, _nrt=True)
 
 
 def inlined_kernel(function: F) -> F:
@@ -156,7 +164,7 @@ def inlined_kernel(function: F) -> F:
     For small functions that are called often and take a NamedTuple of tables: every call would copy some
     fifty numbers to the stack and back, which takes longer than the function itself.
     """
-    return _compiled(function, forceinline=True)
+    return _compiled(function, forceinline=True, _nrt=False)
 
 
 class _KernelValue(types.WrapperAddressProtocol):
@@ -210,6 +218,31 @@ def _on_stack(typing_context: Any, count: Any) -> Any:
     return types.CPointer(types.float64)(count), generate
 
 
+@intrinsic(prefer_literal=True)
+def _array_at(typing_context: Any, place: Any, shape: Any) -> Any:
+    """Array of a constant shape at a pointer: like `numba.carray`, which kernels without counts cannot call."""
+    if not all(isinstance(size, types.IntegerLiteral) for size in shape):
+        return None
+    result = types.Array(types.float64, len(shape), "C")
+    sizes = [size.literal_value for size in shape]
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        word = context.get_value_type(types.intp)
+        strides = [8 * math.prod(sizes[axis + 1 :]) for axis in range(len(sizes))]
+        array = context.make_array(result)(context, builder)
+        populate_array(
+            array,
+            data=builder.bitcast(arguments[0], array.data.type),
+            shape=[word(size) for size in sizes],
+            strides=[word(stride) for stride in strides],
+            itemsize=word(8),
+            meminfo=None,
+        )
+        return array._getvalue()
+
+    return result(place, shape), generate
+
+
 def _plain_memory(count: int) -> NDArray[np.float64]:
     return np.empty(count)
 
@@ -224,7 +257,7 @@ def _plain_shaped(place: NDArray[np.float64], shape: tuple[int, ...]) -> NDArray
 # loses its shape: so the memory is passed, and shaped again.
 memory: Callable[[int], Any] = _plain_memory if numba.config.DISABLE_JIT else _on_stack
 shaped: Callable[[Any, tuple[int, ...]], NDArray[np.float64]] = (
-    _plain_shaped if numba.config.DISABLE_JIT else numba.carray
+    _plain_shaped if numba.config.DISABLE_JIT else _array_at
 )
 
 
@@ -260,7 +293,7 @@ class Bundle(structref.StructRefProxy):
 structref.define_proxy(Bundle, _BundleType, ["model", "work"])
 
 
-@kernel
+@allocating_kernel
 def _new_bundle(model: Any, work: Any) -> Any:
     """A `Bundle`, made by a cached kernel: the proxy's own constructor would be compiled in every process."""
     return Bundle(model, work)

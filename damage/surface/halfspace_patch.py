@@ -122,7 +122,7 @@ class WheelSolver:
     ) -> ConformalContact:
         """The wheel pressed on its rail with the normal force of a row."""
         side, place = float(states.side[row]), float(states.y_wheel[row])
-        pair = logged_pair(self.contact, pose_of(states, row), np.zeros((2, 3)))
+        pair = logged_pair(self.contact, pose_of(states, row))
         if side not in self._arcs:
             self._arcs[side] = wheel_arc(pair.wheel)
         within = (float(placed.lowest[row]), float(placed.highest[row]))

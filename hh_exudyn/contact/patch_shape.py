@@ -305,7 +305,7 @@ def _solve(model: WheelRailModel, state: State, rows: FloatArray) -> tuple[float
 def _pair(model: WheelRailModel, state: State) -> tuple[WheelRailPair, float, float]:
     """Wheel and rail with the logged places above each other, the height of touch and the slope there."""
     pose = LoggedPose(float(state.side), state.s, 0.0, 0.0, state.angle_of_attack, state.roll)
-    pair = logged_pair(model, pose, np.zeros((2, 3)))
+    pair = logged_pair(model, pose)
     z, slope, _ = spline_evaluate(pair.wheel, state.y_wheel)
     z_rail, _, _ = spline_evaluate(pair.rail, state.y_rail)
     _, py, pz, _ = silhouette(pair, state.y_wheel, z, slope)

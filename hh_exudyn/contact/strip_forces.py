@@ -38,7 +38,8 @@ from hh_exudyn.contact.types import (
 from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
 
 _STATE = ROWS * CAPACITY
-_RECORDS = (MAX_PATCHES + 1) * PATCH_COLUMNS
+_ROOM = MAX_PATCHES + 1  # for records: one more than are given back
+_RECORDS = _ROOM * PATCH_COLUMNS
 
 
 @inlined_kernel
@@ -212,7 +213,7 @@ def _write_patches(
 ) -> None:
     """Write a record of every run of touching strips, the most loaded first, as many as there is room for."""
     s = shaped(state, (ROWS, CAPACITY))
-    records = shaped(memory(_RECORDS), (MAX_PATCHES + 1, PATCH_COLUMNS))
+    records = shaped(memory(_RECORDS), (_ROOM, PATCH_COLUMNS))
     present, first = 0, 0
     while first < count:
         last = first

@@ -15,11 +15,9 @@ wheel that rolls onto a slope or a bend of the rail slips no more than one on a 
 
 import math
 
-import numpy as np
-
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.friction import FrictionTable
-from hh_exudyn.contact.geometry.rail_tables import RailCourse, rail_at, rail_tables
+from hh_exudyn.contact.geometry.rail_tables import RAIL_ROOM, RailCourse, rail_in, rail_tables
 from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MAXIMA, find_contacts
 from hh_exudyn.contact.geometry.silhouette import wheel_rail_pair
 from hh_exudyn.contact.material import STEEL, Material
@@ -34,7 +32,11 @@ from hh_exudyn.contact.tangential.registry import THEORIES
 from hh_exudyn.contact.tangential.strips import STRIP_COLUMNS
 from hh_exudyn.contact.types import ContactForces, GivenCreep, RailMotion, WheelRailModel, WheelsetMotion
 from hh_exudyn.conventions import BACK_TO_BACK, FLANGE_BACK_TO_RUNNING_CIRCLE
-from hh_exudyn.kernel import inlined_kernel
+from hh_exudyn.kernel import inlined_kernel, memory, shaped
+
+_MOST_CELLS = 200  # of the tangential solve, along and across
+_STRIPS = _MOST_CELLS * STRIP_COLUMNS
+_CONTACTS = MAX_MAXIMA * CONTACT_COLUMNS
 
 
 def wheel_rail_model(
@@ -138,13 +140,13 @@ def _check_numbers(
 ) -> None:
     """ValueError for a number out of its range."""
     if len(cells) != 2 or any(int(count) != count for count in cells if math.isfinite(count)):
-        raise ValueError(f"cells = {cells}, allowed two whole numbers, 3 .. 200 each")
+        raise ValueError(f"cells = {cells}, allowed two whole numbers, 3 .. {_MOST_CELLS} each")
     for label, value, low, high, unit in (
         ("nominal_radius", nominal_radius, 0.2, 1.0, "m"),
         ("back_to_back", back_to_back, 0.5, 2.0, "m"),
         ("damping", damping, 0.0, 100.0, "s/m"),
-        ("cells[0]", cells[0], 3, 200, "-"),
-        ("cells[1]", cells[1], 3, 200, "-"),
+        ("cells[0]", cells[0], 3, _MOST_CELLS, "-"),
+        ("cells[1]", cells[1], 3, _MOST_CELLS, "-"),
     ):
         if not low <= value <= high:
             raise ValueError(f"{label} = {value} {unit}, allowed {low} .. {high} {unit}")
@@ -183,9 +185,11 @@ def wheel_rail_forces(
         0, or 1 + 2 * wheelset + side index of the first wheel with a state or force that is not finite, or
         without a solution for the loads of its strips.
     """
-    contacts = np.empty((MAX_MAXIMA, CONTACT_COLUMNS))
-    strips = np.empty((model.cells_y, STRIP_COLUMNS))
-    centre, axle = np.empty(3), np.empty(3)
+    contacts = shaped(memory(_CONTACTS), (MAX_MAXIMA, CONTACT_COLUMNS))
+    strips = shaped(memory(_STRIPS), (_MOST_CELLS, STRIP_COLUMNS))[: model.cells_y]
+    vectors = shaped(memory(6), (2, 3))
+    centre, axle = vectors[0], vectors[1]
+    room = memory(RAIL_ROOM)
     forces.wrench[:] = 0.0
     forces.rail_force[:] = 0.0
     forces.patches[:] = 0.0
@@ -194,7 +198,7 @@ def wheel_rail_forces(
             side = 1.0 - 2.0 * s
             wheel = model.wheel_left if s == 0 else model.wheel_right
             along = model.rails_left if s == 0 else model.rails_right
-            rail, _ = rail_at(along, rails.arc_length[i])
+            rail, _ = rail_in(along, rails.arc_length[i], room)
             _seen_from_rail(wheelsets, rails, i, s, centre, axle)
             if not _finite(centre, axle, wheelsets.velocity[i], wheelsets.angular_velocity[i]):
                 return 1 + 2 * i + s

@@ -13,7 +13,7 @@ from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.state import Patch
 from hh_exudyn.contact.types import MAX_PATCHES
 from hh_exudyn.conventions import LEFT, RIGHT
-from hh_exudyn.kernel import Bundle, kernel
+from hh_exudyn.kernel import Bundle, kernel, memory, shaped
 from hh_exudyn.log.channels import (
     CONTACT,
     ENERGY,
@@ -148,7 +148,7 @@ def _contact_rows(work: Workspace, places: IntArray, time: float, rows: FloatArr
 @kernel
 def _motion_rows(model: SystemModel, work: Workspace, v: FloatArray, time: float, rows: FloatArray) -> None:
     """Fill one row per body of the motion log."""
-    quaternion = np.empty(4)
+    quaternion = shaped(memory(4), (4,))
     for i in range(model.mass.size):
         row = rows[i]
         place = work.position[i]

@@ -7,7 +7,7 @@ from hh_exudyn.contact.geometry.rail_tables import gauge_point_at
 from hh_exudyn.contact.state import Patch
 from hh_exudyn.contact.types import ContactForces, RailMotion, WheelsetMotion
 from hh_exudyn.contact.wheel_rail import wheel_rail_forces
-from hh_exudyn.kernel import Bundle, inlined_kernel, kernel
+from hh_exudyn.kernel import Bundle, allocating_kernel, inlined_kernel, kernel
 from hh_exudyn.multibody.brakes import brake_forces
 from hh_exudyn.multibody.couplings.dispatch import coupling_forces
 from hh_exudyn.multibody.model import (
@@ -82,7 +82,7 @@ def evaluate(
     return status
 
 
-@kernel
+@allocating_kernel
 def evaluate_bundle(
     bundle: Bundle, sliders: FloatArray, q: FloatArray, v: FloatArray, time: float, settle: bool
 ) -> int:

@@ -20,12 +20,14 @@ import numpy as np
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile, gauge_point
 from hh_exudyn.contact.profiles.spline import MAX_SLOPE, spline_evaluate, spline_table, uniform_table
-from hh_exudyn.contact.types import RailTables, SplineTable
-from hh_exudyn.kernel import inlined_kernel, kernel
+from hh_exudyn.contact.types import Memory, RailTables, SplineTable
+from hh_exudyn.kernel import allocating_kernel, inlined_kernel, kernel, memory, shaped
 
 CHANGE_LENGTH = 2.0  # m, assumed: length over which one rail passes into another (welded and ground)
 _PROFILE, _START, _GAUGE_POINT, _END = range(4)  # columns of `RailTables.sections`; end: middle of the change
 _Z, _SECOND, _SLOPE = range(3)  # of `RailTables.nodes`
+_ROWS, _MOST_NODES = 3, 2048  # of a blend
+RAIL_ROOM = _ROWS * _MOST_NODES  # numbers
 
 
 @dataclass(frozen=True)
@@ -104,6 +106,10 @@ def rail_tables(course: RailCourse, smoothing: float) -> RailTables:
             distinct.append(profile)
     points = np.array([gauge_point(profile) for profile in distinct])
     tables = _alike([spline_table(profile, smoothing=smoothing) for profile in distinct], points)
+    if tables[0].z.size > _MOST_NODES:
+        raise ValueError(
+            f"rail profiles of {tables[0].z.size} nodes at {tables[0].step * 1e3:g} mm, allowed {_MOST_NODES}"
+        )
     kept = [i for i in range(len(rows)) if i == 0 or rows[i] != rows[i - 1]]  # no change is left of a section
     ends = [course.changes[i - 1] for i in kept[1:]] + [math.inf]
     return RailTables(
@@ -161,15 +167,50 @@ def _resized(table: SplineTable, before: int, behind: int) -> SplineTable:
 
 
 @inlined_kernel
-def rail_at(rails: RailTables, s: float) -> tuple[SplineTable, float]:
-    """The rail at arc length s [m], and y of its gauge point [m]: a section's own table, or a blend."""
+def rail_in(rails: RailTables, s: float, room: Memory) -> tuple[SplineTable, float]:
+    """The rail at arc length s [m], and y of its gauge point [m]: a section's own table, or a blend.
+
+    Parameters
+    ----------
+    rails : RailTables
+        Of one side.
+    s : float
+        Arc length [m].
+    room : memory
+        `RAIL_ROOM` numbers, in which the nodes of a blend lie: the table is good while they are.
+    """
     section, share = _section_at(rails.sections, rails.change_length, s)
     if share > 0.0:
-        return _blended(rails, section, share)
-    place = rails.sections[section]
-    nodes = rails.nodes[int(place[_PROFILE])]
-    table = SplineTable(place[_START], rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE])
-    return table, place[_GAUGE_POINT]
+        start, point = _blended(rails, section, share, room)
+        nodes, count = shaped(room, (_ROWS, _MOST_NODES)), rails.nodes.shape[2]
+        z, second, slope = nodes[_Z][:count], nodes[_SECOND][:count], nodes[_SLOPE][:count]
+    else:
+        place = rails.sections[section]
+        start, point = place[_START], place[_GAUGE_POINT]
+        k = int(place[_PROFILE])
+        z, second, slope = rails.nodes[k, _Z], rails.nodes[k, _SECOND], rails.nodes[k, _SLOPE]
+    return SplineTable(start, rails.step, z, second, rails.per_step, slope), point
+
+
+def rail_at(rails: RailTables, s: float) -> tuple[SplineTable, float]:
+    """`rail_in` for Python, with room of its own."""
+    start, point = np.empty(1), np.empty(1)
+    nodes = np.empty((_ROWS, rails.nodes.shape[2]))
+    _copy_rail(rails, s, nodes, start, point)
+    table = SplineTable(
+        float(start[0]), rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE]
+    )
+    return table, float(point[0])
+
+
+@kernel
+def _copy_rail(rails: RailTables, s: float, nodes: FloatArray, start: FloatArray, point: FloatArray) -> None:
+    """What `rail_in` gives, copied."""
+    room = memory(RAIL_ROOM)
+    table, point[0] = rail_in(rails, s, room)
+    start[0] = table.start
+    for k in range(nodes.shape[1]):
+        nodes[_Z, k], nodes[_SECOND, k], nodes[_SLOPE, k] = table.z[k], table.second[k], table.slope[k]
 
 
 @inlined_kernel
@@ -247,17 +288,22 @@ def _section_at(sections: FloatArray, length: float, s: float) -> tuple[int, flo
 
 
 @kernel
-def _blended(rails: RailTables, section: int, share: float) -> tuple[SplineTable, float]:
-    """Equation 1 of a section and the next."""
+def _blended(rails: RailTables, section: int, share: float, room: Memory) -> tuple[float, float]:
+    """Equation 1 of a section and the next: nodes into `room`; y of the first one and of the gauge point."""
     one, other = rails.sections[section], rails.sections[section + 1]
+    first, second = rails.nodes[int(one[_PROFILE])], rails.nodes[int(other[_PROFILE])]
+    nodes = shaped(room, (_ROWS, _MOST_NODES))
     rest = 1.0 - share
-    nodes = rest * rails.nodes[int(one[_PROFILE])] + share * rails.nodes[int(other[_PROFILE])]
-    start = rest * one[_START] + share * other[_START]
-    table = SplineTable(start, rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE])
-    return table, rest * one[_GAUGE_POINT] + share * other[_GAUGE_POINT]
+    for row in range(_ROWS):
+        for k in range(first.shape[1]):
+            nodes[row, k] = rest * first[row, k] + share * second[row, k]
+    return (
+        rest * one[_START] + share * other[_START],
+        rest * one[_GAUGE_POINT] + share * other[_GAUGE_POINT],
+    )
 
 
-@kernel
+@allocating_kernel
 def _fill_weights(change: FloatArray, length: float, s: FloatArray, weights: FloatArray) -> None:
     """`RailCourse.weights` into `weights`, (n, sections)."""
     sections = np.full((change.size + 1, _END + 1), math.inf)

@@ -14,7 +14,7 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, gap_at, silhouette
 from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.contact.types import SplineTable
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import allocating_kernel, kernel
 
 # Columns of one wheel's rigid contact
 Y_WHEEL = 0  # lateral position on the wheel profile, side coordinates [m]
@@ -64,7 +64,7 @@ def posed_pair(standing: StandingWheel, lateral: float, roll: float) -> WheelRai
     )
 
 
-@kernel
+@allocating_kernel
 def lowest_gap(pair: WheelRailPair) -> tuple[float, float]:
     """Smallest vertical gap between a wheel and its rail, and where it lies on the wheel profile.
 

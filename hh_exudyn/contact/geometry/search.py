@@ -216,12 +216,17 @@ def _share(contacts: FloatArray, count: int) -> None:
             first -= 1
         while after < count and contacts[after, SADDLE] == _JOINED:
             after += 1
-        d1 = contacts[first:joint, OVERLAP].max()
-        d2 = contacts[joint:after, OVERLAP].max()
+        d1, d2 = 0.0, 0.0
+        for k in range(first, joint):
+            d1 = max(d1, contacts[k, OVERLAP])
+        for k in range(joint, after):
+            d2 = max(d2, contacts[k, OVERLAP])
         p1, p2 = d1 - saddle, d2 - saddle
         if p1 + p2 > 0.0:
-            contacts[first:joint, _WEIGHT] *= 1.0 - saddle / d1 * p2 / (p1 + p2)
-            contacts[joint:after, _WEIGHT] *= 1.0 - saddle / d2 * p1 / (p1 + p2)
+            for k in range(first, joint):
+                contacts[k, _WEIGHT] *= 1.0 - saddle / d1 * p2 / (p1 + p2)
+            for k in range(joint, after):
+                contacts[k, _WEIGHT] *= 1.0 - saddle / d2 * p1 / (p1 + p2)
 
 
 @kernel

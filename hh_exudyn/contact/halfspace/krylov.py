@@ -10,7 +10,7 @@ from collections.abc import Callable
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import allocating_kernel, kernel
 
 
 @kernel
@@ -30,7 +30,7 @@ def _rotate(hessenberg: FloatArray, turns: FloatArray, right: FloatArray, k: int
     return abs(right[k + 1])
 
 
-@kernel
+@allocating_kernel
 def _back_substitute(hessenberg: FloatArray, right: FloatArray, count: int) -> FloatArray:
     """Solution of the upper triangular system."""
     result = np.zeros(count)

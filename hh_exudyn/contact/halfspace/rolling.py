@@ -24,7 +24,7 @@ from scipy import fft
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.halfspace.influence import Influence, lag_integrals
 from hh_exudyn.contact.halfspace.krylov import gmres
-from hh_exudyn.kernel import kernel
+from hh_exudyn.kernel import allocating_kernel, kernel
 
 TOLERANCE = 1e-4  # of the largest bound
 _MOST_STEPS = 200
@@ -139,7 +139,7 @@ def _linearise(
         right[0, i], right[1, i] = -across * n_y, across * n_x
 
 
-@kernel
+@allocating_kernel
 def _restrict(
     slip: FloatArray, change: FloatArray, kind: FloatArray, tangent: FloatArray, diagonal: FloatArray
 ) -> FloatArray:

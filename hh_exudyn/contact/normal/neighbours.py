@@ -159,11 +159,11 @@ def _solve_whole_and_cut(
         Force of the whole patch beyond the limits over its distance [N/m]; both 0 with ANALYN.
     """
     low = minimum(normal, pair, contact, shear_modulus, poisson_ratio)
-    own[:] = contact
+    for column in range(own.size):
+        own[column], whole[column] = contact[column], contact[column]
     if pressure_by_strip(normal):
         own[FORCE], _, _, _, _ = patch_strips(pair, own, low, 0.0, strips)
         return 0.0, 0.0
-    whole[:] = contact
     whole[LIMIT_LOW], whole[LIMIT_HIGH] = pair.wheel.start, _end(pair)
     force, _, _, _, stiffness = patch_strips(pair, whole, low, 0.0, strips)
     own[FORCE], _, _, _, _ = patch_strips(pair, own, low, stiffness, strips)

@@ -31,7 +31,7 @@ from hh_exudyn.contact.strips.elimination import eliminate
 from hh_exudyn.contact.strips.influence import influence_of
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
 from hh_exudyn.contact.types import Memory
-from hh_exudyn.kernel import kernel, memory, shaped
+from hh_exudyn.kernel import allocating_kernel, kernel, memory, shaped
 
 _LENGTH = 0.6  # A a^2 / d: 0.73 for a/b = 0.4, 0.5 for a circle, 0.38 for a/b = 10
 _GUESS = 0.45  # of the largest overlap around; of an ellipse 0.5 to 0.6 is pressed away
@@ -83,6 +83,12 @@ def solve_loads(count: int, modulus: float, guess: FloatArray, state: Memory) ->
             shaped(memory(_FEW_SQUARE), (_FEW, _FEW)),
             shaped(memory(_FEW_SQUARE), (_FEW, _FEW)),
         )
+    return _solve_many_loads(count, modulus, guess, state)
+
+
+@allocating_kernel
+def _solve_many_loads(count: int, modulus: float, guess: FloatArray, state: Memory) -> bool:
+    """`solve_loads` with matrices that are too large for the stack."""
     return _solve_loads(count, modulus, guess, state, np.empty((count, count)), np.empty((count, count)))
 
 

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.geometry.rail_tables import rail_at
+from hh_exudyn.contact.geometry.rail_tables import RAIL_ROOM, rail_at, rail_in
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, wheel_rail_pair
 from hh_exudyn.contact.strips.creep import strip_fields
 from hh_exudyn.contact.strips.loads import first_half_lengths, solve_loads
@@ -25,7 +25,7 @@ from hh_exudyn.contact.strips.overlap import overlapping_strips
 from hh_exudyn.contact.strips.pressure import refine_strips
 from hh_exudyn.contact.strips.shape import shape_strips, touch
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
-from hh_exudyn.contact.types import Fields, Memory, WheelRailModel, WheelStrips
+from hh_exudyn.contact.types import Fields, Memory, SplineTable, WheelRailModel, WheelStrips
 from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
 
 _STATE = ROWS * CAPACITY
@@ -53,9 +53,8 @@ class LoggedPose(NamedTuple):
     roll: float
 
 
-@inlined_kernel
-def logged_pair(contact: WheelRailModel, pose: LoggedPose, vectors: FloatArray) -> WheelRailPair:
-    """The wheel on its rail in the pose of a row (kernel: trusts its input).
+def logged_pair(contact: WheelRailModel, pose: LoggedPose) -> WheelRailPair:
+    """The wheel on its rail in the pose of a row.
 
     Parameters
     ----------
@@ -63,17 +62,23 @@ def logged_pair(contact: WheelRailModel, pose: LoggedPose, vectors: FloatArray) 
         Profiles of the run; the rail is that at the row's place on the track.
     pose : LoggedPose
         Of the row.
-    vectors : FloatArray
-        (2, 3) work space.
     """
     left = pose.side > 0.0
+    rail, _ = rail_at(contact.rails_left if left else contact.rails_right, pose.s)
+    return _pair(contact, pose, rail, np.zeros((2, 3)))
+
+
+@inlined_kernel
+def _pair(
+    contact: WheelRailModel, pose: LoggedPose, rail: SplineTable, vectors: FloatArray
+) -> WheelRailPair:
+    """`logged_pair` on a given rail, with (2, 3) numbers of work space."""
     yaw, roll = pose.angle_of_attack, pose.roll
     vectors[0, 0], vectors[0, 1], vectors[0, 2] = 0.0, pose.centre_y, pose.centre_z
     vectors[1, 0] = -math.sin(yaw) * math.cos(roll)
     vectors[1, 1], vectors[1, 2] = math.cos(yaw) * math.cos(roll), math.sin(roll)
-    rail, _ = rail_at(contact.rails_left if left else contact.rails_right, pose.s)
     return wheel_rail_pair(
-        contact.wheel_left if left else contact.wheel_right,
+        contact.wheel_left if pose.side > 0.0 else contact.wheel_right,
         rail,
         pose.side,
         contact.running_circle_distance,
@@ -114,7 +119,9 @@ def rebuilt_rows(
     """
     state = memory(_STATE)
     s = shaped(state, (ROWS, CAPACITY))
-    pair = logged_pair(contact, pose, vectors)
+    along = contact.rails_left if pose.side > 0.0 else contact.rails_right
+    rail, _ = rail_in(along, pose.s, memory(RAIL_ROOM))
+    pair = _pair(contact, pose, rail, vectors)
     strips = contact.strips_left if pose.side > 0.0 else contact.strips_right
     modulus = contact.shear_modulus / (1.0 - contact.poisson_ratio)
     count = rebuild_strips(pair, strips, modulus, patch, state)
