@@ -79,5 +79,5 @@ def moved_ahead(
     """
     t = pair.side * (pair.distance - y_wheel)
     radial_y, radial_z = point[1] - t * pair.axle_y, point[2] - t * pair.axle_z
-    steepness = pair.side * slope_wheel * math.hypot(radial_y, radial_z)
+    steepness = pair.side * slope_wheel * math.sqrt(radial_y * radial_y + radial_z * radial_z)
     return heading * (steepness * pair.axle_y - radial_y) + slope * (steepness * pair.axle_z - radial_z)

@@ -56,6 +56,21 @@ def constant_friction(friction: ArrayLike) -> FrictionTable:
 
 
 @inlined_kernel
+def depends_on_wheel_alone(table: FrictionTable, wheelset: int) -> bool:
+    """Whether friction of a wheelset's wheels depends on neither place, contact angle nor slip speed.
+
+    Parameters
+    ----------
+    table, wheelset : as of `friction_at`
+    """
+    zones = table.friction[table.surface[wheelset], 0]
+    same = table.begin.shape[0] == 1 and (table.decrease == 0.0 or table.ratio == 1.0)
+    for side in range(2):
+        same &= zones[side, 0] == zones[side, 1] and zones[side, 0] == zones[side, 2]
+    return same
+
+
+@inlined_kernel
 def friction_at(
     table: FrictionTable, wheelset: int, side: int, s: float, contact_angle: float, slip_speed: float
 ) -> float:

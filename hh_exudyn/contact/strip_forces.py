@@ -15,7 +15,7 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.contact_frame import axes_of, moved_ahead, turn_of_rail
-from hh_exudyn.contact.friction import FrictionTable, friction_at
+from hh_exudyn.contact.friction import FrictionTable, depends_on_wheel_alone, friction_at
 from hh_exudyn.contact.geometry.rail_tables import changes_at, surface_slope
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair
 from hh_exudyn.contact.state import PATCH_COLUMNS, Patch
@@ -156,6 +156,11 @@ def _friction(
 ) -> None:
     """Friction of the strips that carry load, at the slip in the middle of their ellipses."""
     s = shaped(state, (ROWS, CAPACITY))
+    if depends_on_wheel_alone(table, i):
+        friction = friction_at(table, i, side, rails.arc_length[i], 0.0, 0.0)
+        for j in range(count):
+            s[Row.FRICTION, j] = friction
+        return
     for j in range(count):
         if s[Row.LOAD, j] > 0.0:
             s[Row.FRICTION, j] = friction_at(

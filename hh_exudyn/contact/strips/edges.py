@@ -18,15 +18,16 @@ which `influence.CENTRING` holds.
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.strips.elimination import eliminate
-from hh_exudyn.contact.strips.influence import influence_of, own_influence
+from hh_exudyn.contact.strips.elimination import PADDING, eliminate, select
+from hh_exudyn.contact.strips.influence import influence_of
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
 from hh_exudyn.contact.types import Memory
 from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
 
 _SOFTNESS = 0.8  # of the change of overlap over a strip width
 _LEAST = 1e-3  # N, where the overlap does not change
-_PLACES = 5 * CAPACITY
+_PLACES = CAPACITY + PADDING
+_ALL_PLACES = 7 * _PLACES
 
 
 @kernel
@@ -50,22 +51,24 @@ def soften_edges(
     residual : FloatArray
         (>= count,) K P - d of the sharp solution [m].
     matrix : FloatArray
-        (>= count, >= count) working memory.
+        (>= count, >= count + PADDING) working memory.
     """
     s = shaped(state, (ROWS, CAPACITY))
-    places = shaped(memory(_PLACES), (5, CAPACITY))
+    places = shaped(memory(_ALL_PLACES), (7, _PLACES))
     z, width, own, step, numbers = places[0], places[1], places[2], places[3], places[4]
+    error, slope = places[5], places[6]
     n = 0
     for j in range(count):
         # of a gap beyond the softened stretch, z < -e, there is neither load nor slope
         change = abs(_overlap(j + 1, j, count, state) - _overlap(j - 1, j, count, state))
         if s[Row.LOAD, j] > 0.0 or residual[j] < 0.5 * _SOFTNESS * change:
-            own[j] = own_influence(j, modulus, state)
-            width[j] = max(0.5 * _SOFTNESS * change / own[j], _LEAST)
-            z[j] = s[Row.LOAD, j] if s[Row.LOAD, j] > 0.0 else -residual[j] / own[j]
             if known[j] == 0.0:
                 influence_of(j, count, modulus, state, influences[j])
                 known[j] = 1.0
+            own[j] = influences[j, j]
+            width[j] = max(0.5 * _SOFTNESS * change / own[j], _LEAST)
+            z[j] = s[Row.LOAD, j] if s[Row.LOAD, j] > 0.0 else -residual[j] / own[j]
+            slope[n] = _slope(z[j], width[j])
             numbers[n] = j
             n += 1
     # the error of equation 1: what the loads change by, less the gaps
@@ -80,14 +83,16 @@ def soften_edges(
             for r in range(n):
                 here = np.uint64(numbers[r])
                 residual[here] += change * row[here]
-    for r in range(n):
-        here = np.uint64(numbers[r])
-        for c in range(n):
-            k = np.uint64(numbers[c])
-            matrix[r, c] = influences[k, here] * _slope(z[k], width[k])
-        matrix[r, r] += own[here] * _slope(-z[here], width[here])
-        step[r] = -residual[here]
-    eliminate(n, matrix, step)
+    select(n, numbers, influences, matrix)
+    for c in range(n):
+        for r in range(n):
+            matrix[c, r] *= slope[c]
+        # S'(-z) = 1 - S'(z)
+        matrix[c, c] += own[np.uint64(numbers[c])] * (1.0 - slope[c])
+        error[c] = -residual[np.uint64(numbers[c])]
+    for r in range(n, n + PADDING):
+        error[r] = 0.0
+    eliminate(n, matrix, error, step)
     for j in range(count):
         s[Row.LOAD, j] = 0.0
     for c in range(n):

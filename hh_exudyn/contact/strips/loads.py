@@ -27,7 +27,7 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.strips.edges import soften_edges
-from hh_exudyn.contact.strips.elimination import eliminate
+from hh_exudyn.contact.strips.elimination import PADDING, eliminate, select
 from hh_exudyn.contact.strips.influence import influence_of
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
 from hh_exudyn.contact.types import Memory
@@ -37,9 +37,11 @@ _LENGTH = 0.6  # A a^2 / d: 0.73 for a/b = 0.4, 0.5 for a circle, 0.38 for a/b =
 _GUESS = 0.45  # of the largest overlap around; of an ellipse 0.5 to 0.6 is pressed away
 _BLOCK_ROUNDS = 10  # in which many strips change at once; then one at a time, which always ends
 _MOST_ROUNDS = 400
-_PLACES = 5 * CAPACITY
+_PLACES = CAPACITY + PADDING
+_ALL_PLACES = 6 * _PLACES
 _FEW = 48  # strips with overlap: the matrices lie on the stack
-_FEW_SQUARE = _FEW * _FEW
+_ROW = _FEW + PADDING
+_MATRIX = _FEW * _ROW
 _ROUNDING = 1e-13  # m, of an overlap
 
 
@@ -80,8 +82,8 @@ def solve_loads(count: int, modulus: float, guess: FloatArray, state: Memory) ->
             modulus,
             guess,
             state,
-            shaped(memory(_FEW_SQUARE), (_FEW, _FEW)),
-            shaped(memory(_FEW_SQUARE), (_FEW, _FEW)),
+            shaped(memory(_MATRIX), (_FEW, _ROW)),
+            shaped(memory(_MATRIX), (_FEW, _ROW)),
         )
     return _solve_many_loads(count, modulus, guess, state)
 
@@ -89,7 +91,7 @@ def solve_loads(count: int, modulus: float, guess: FloatArray, state: Memory) ->
 @allocating_kernel
 def _solve_many_loads(count: int, modulus: float, guess: FloatArray, state: Memory) -> bool:
     """`solve_loads` with matrices that are too large for the stack."""
-    return _solve_loads(count, modulus, guess, state, np.empty((count, count)), np.empty((count, count)))
+    return _solve_loads(count, modulus, guess, state, np.empty((count, count + PADDING)), np.empty((count, count + PADDING)))
 
 
 @kernel
@@ -103,8 +105,9 @@ def _solve_loads(
 ) -> bool:
     """`solve_loads` with room for the influences (row k: of strip k on all) and the matrix to be solved."""
     s = shaped(state, (ROWS, CAPACITY))
-    places = shaped(memory(_PLACES), (5, CAPACITY))
+    places = shaped(memory(_ALL_PLACES), (6, _PLACES))
     active, known, residual, loads, numbers = places[0], places[1], places[2], places[3], places[4]
+    overlaps = places[5]
     _start(count, guess, state, active)
     known[:count] = 0.0
     for rounds in range(_MOST_ROUNDS):
@@ -116,7 +119,12 @@ def _solve_loads(
                 if known[j] == 0.0:
                     influence_of(j, count, modulus, state, influences[j])
                     known[j] = 1.0
-        _solve(n, numbers, influences, state, matrix, loads)
+        for r in range(n):
+            overlaps[r] = s[Row.OVERLAP, np.uint64(numbers[r])]
+        for r in range(n, n + PADDING):
+            overlaps[r] = 0.0
+        select(n, numbers, influences, matrix)
+        eliminate(n, matrix, overlaps, loads)
         one = rounds >= _BLOCK_ROUNDS
         changed = False
         for r in range(n):
@@ -166,22 +174,3 @@ def _start(count: int, guess: FloatArray, state: Memory, active: FloatArray) -> 
         for j in range(first, last + 1):
             active[j] = 1.0 if s[Row.OVERLAP, j] > _GUESS * deepest else 0.0
         first = last + 1
-
-
-@kernel
-def _solve(
-    n: int,
-    numbers: FloatArray,
-    influences: FloatArray,
-    state: Memory,
-    matrix: FloatArray,
-    loads: FloatArray,
-) -> None:
-    """Loads of the strips in contact."""
-    s = shaped(state, (ROWS, CAPACITY))
-    for r in range(n):
-        here = np.uint64(numbers[r])
-        for c in range(n):
-            matrix[r, c] = influences[np.uint64(numbers[c]), here]
-        loads[r] = s[Row.OVERLAP, here]
-    eliminate(n, matrix, loads)

@@ -22,9 +22,10 @@ from scipy.special import elliprd
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
 from hh_exudyn.contact.types import Memory
-from hh_exudyn.kernel import inlined_kernel, kernel, shaped
+from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
 
 _OF_A_STRIP = 1.0 / 30.0  # variance within a strip over its width squared; an even load's is 1/12
+_LINES = 3 * CAPACITY
 _FIRST, _LAST, _INTERVALS = -12.0, 16.0, 560  # ln of 2 q_max/(pi E A b^2) in the table
 
 
@@ -58,6 +59,7 @@ def shape_strips(count: int, modulus: float, state: Memory) -> None:
     are read.
     """
     s = shaped(state, (ROWS, CAPACITY))
+    lines = memory(_LINES)
     first = 0
     while first < count:
         if not s[Row.LOAD, first] > 0.0:
@@ -67,13 +69,14 @@ def shape_strips(count: int, modulus: float, state: Memory) -> None:
         while last + 1 < count and touch(last, state):
             last += 1
         one = _has_one_summit(first, last, state)
+        _line_loads(first, last, state, lines)
         for j in range(first, last + 1):
             s[Row.CENTRE, j] = 1.0 if one and j > first else 0.0
             if one and j > first:
                 for row in (Row.A, Row.B, Row.PEAK, Row.MEAN_X, Row.MEAN_Y, Row.TURN_X):
                     s[row, j] = s[row, first]
             else:
-                _ellipse_around(j, first, last, modulus, state)
+                _ellipse_around(j, first, last, modulus, state, lines)
             load = s[Row.LOAD, j] / s[Row.WIDTH, j]
             s[Row.HALF_LENGTH, j] = s[Row.A, j] * math.sqrt(load / s[Row.PEAK, j])
             s[Row.PRESSURE, j] = 2.0 * load / (math.pi * s[Row.HALF_LENGTH, j])
@@ -102,10 +105,19 @@ def _has_one_summit(first: int, last: int, state: Memory) -> bool:
 
 
 @kernel
-def _ellipse_around(j: int, first: int, last: int, modulus: float, state: Memory) -> None:
+def _line_loads(first: int, last: int, state: Memory, lines: Memory) -> None:
+    """Load per width of a run of strips [N/m], its inverse and its root: divided once, not for every pair."""
+    s, line = shaped(state, (ROWS, CAPACITY)), shaped(lines, (3, CAPACITY))
+    for k in range(first, last + 1):
+        load = s[Row.LOAD, k] / s[Row.WIDTH, k]
+        line[0, k], line[1, k], line[2, k] = load, 1.0 / load, math.sqrt(load)
+
+
+@kernel
+def _ellipse_around(j: int, first: int, last: int, modulus: float, state: Memory, lines: Memory) -> None:
     """Fill the rows of the ellipse of which strip j, of a run of strips, is a part."""
-    s = shaped(state, (ROWS, CAPACITY))
-    here = s[Row.LOAD, j] / s[Row.WIDTH, j]
+    s, line = shaped(state, (ROWS, CAPACITY)), shaped(lines, (3, CAPACITY))
+    here, inverse_here = line[0, j], line[1, j]
     total, moment, second, curvature, peak = 0.0, 0.0, 0.0, 0.0, 0.0
     mean_x, mean_y, lengths, turn_x = 0.0, 0.0, 0.0, 0.0
     origin = s[Row.ARC, j]
@@ -113,9 +125,9 @@ def _ellipse_around(j: int, first: int, last: int, modulus: float, state: Memory
         k = j if direction == 1 else j - 1
         least = here
         while first <= k <= last:
-            there = s[Row.LOAD, k] / s[Row.WIDTH, k]
+            there = line[0, k]
             least = min(least, there)
-            share = least / min(here, there)
+            share = least * max(inverse_here, line[1, k])  # over the lesser of both
             share *= share
             share *= share
             load = share * s[Row.LOAD, k]
@@ -126,7 +138,7 @@ def _ellipse_around(j: int, first: int, last: int, modulus: float, state: Memory
             curvature += load * s[Row.CURVATURE, k]
             mean_x += load * s[Row.NU_X, k]
             mean_y += load * s[Row.NU_Y, k]
-            length = share * math.sqrt(there) * width  # in proportion
+            length = share * line[2, k] * width  # in proportion
             lengths += length
             turn_x += length * s[Row.NU_X, k]
             peak = max(peak, share * there)
