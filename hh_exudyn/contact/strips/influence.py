@@ -56,7 +56,19 @@ def _integral_table() -> FloatArray:
     return np.column_stack((values, rates / _PER_UNIT))
 
 
-_INTEGRAL = _integral_table()
+def _density_table() -> FloatArray:
+    """(n, 3): f, its derivative times the spacing, and t^2 f''/6; not used below the second node."""
+    t = np.maximum(np.arange(round(_END * _PER_UNIT) + 2), 1) / _PER_UNIT
+    square = 1.0 + t * t
+    m, rest = 1.0 / square, t * t / square
+    k, e = ellipkm1(rest), ellipe(m)
+    root = np.sqrt(square)
+    # with dK/dm = (E - (1 - m) K)/(2 m (1 - m)) and dE/dm = (E - K)/(2 m)
+    first = 2.0 * t / root * (k - e) - 2.0 * e / (t * root)
+    return np.column_stack((influence_density(t), first / _PER_UNIT, e / (3.0 * root)))
+
+
+_INTEGRAL, _DENSITY = _integral_table(), _density_table()
 _F_END = float(_INTEGRAL[-2, 0] - 2.0 * _END * math.log(_END))
 
 
@@ -83,6 +95,33 @@ def influence_integral(t: float) -> float:
         inverse = 1.0 / size
         value = _F_END + _HALF_PI * (math.log(size / _END) + (inverse * inverse - 1.0 / (_END * _END)) / 16.0)
     return value if t >= 0.0 else -value
+
+
+@inlined_kernel
+def mean_density(t: float, half: float) -> float:
+    """Mean of f over t - half .. t + half, for t >= 4 half: of two strips with one or more between them.
+
+    From f and f'' alone, with f'' = 2 E/(t^2 sqrt(1 + t^2)): good to 6e-4 of f at t = 4 half. Without
+    branches, for vector instructions.
+    """
+    spread = half / t
+    inverse = 1.0 / t
+    far = _HALF_PI * inverse * (1.0 - 0.125 * inverse * inverse + spread * spread * (1.0 / 3.0))
+    place = min(t, _END) * _PER_UNIT
+    node = np.uint64(place)
+    q = place - node
+    square = q * q
+    cube = square * q
+    steep = 3.0 * square - 2.0 * cube
+    after = node + np.uint64(1)
+    near = (
+        (1.0 - steep) * _DENSITY[node, 0]
+        + (cube - 2.0 * square + q) * _DENSITY[node, 1]
+        + steep * _DENSITY[after, 0]
+        + (cube - square) * _DENSITY[after, 1]
+        + ((1.0 - q) * _DENSITY[node, 2] + q * _DENSITY[after, 2]) * spread * spread
+    )
+    return near if t < _END else far
 
 
 def _even_table() -> FloatArray:
@@ -161,8 +200,12 @@ def influence_of(k: int, count: int, modulus: float, state: Memory, row: FloatAr
 def _uneven_influences(k: int, first: int, end: int, factor: float, state: Memory, row: FloatArray) -> None:
     """Influence of strip k on the strips first .. end - 1, of whatever width."""
     s = shaped(state, (ROWS, CAPACITY))
-    inverse = 1.0 / s[Row.HALF_LENGTH, k]
+    inverse, place = 1.0 / s[Row.HALF_LENGTH, k], s[Row.ARC, k]
     half = 0.5 * s[Row.WIDTH, k] * inverse
+    near, scale = 4.0 * half, 2.0 * half * factor
     for j in range(first, end):
-        t = abs(s[Row.ARC, j] - s[Row.ARC, k]) * inverse
-        row[j] = factor * (influence_integral(t + half) - influence_integral(t - half))
+        row[j] = scale * mean_density(max(abs(s[Row.ARC, j] - place) * inverse, near), half)
+    for j in range(first, end):
+        t = abs(s[Row.ARC, j] - place) * inverse
+        if t < near:
+            row[j] = factor * (influence_integral(t + half) - influence_integral(t - half))
