@@ -154,7 +154,10 @@ def kernel(function: F) -> F:
 
 
 def allocating_kernel(function: F) -> F:
-    """`kernel` for a function that allocates arrays; where it returns one, its callers must be of this kind."""
+    """`kernel` for a function that allocates arrays or opens a `Bundle`.
+
+    It must not call a kernel that returns arrays it was given, alone or in a NamedTuple: those are not counted.
+    """
     return _compiled(function, _nrt=True)
 
 

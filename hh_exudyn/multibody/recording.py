@@ -13,7 +13,7 @@ from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.state import Patch
 from hh_exudyn.contact.types import MAX_PATCHES
 from hh_exudyn.conventions import LEFT, RIGHT
-from hh_exudyn.kernel import Bundle, kernel, memory, shaped
+from hh_exudyn.kernel import Bundle, allocating_kernel, kernel, memory, shaped
 from hh_exudyn.log.channels import (
     CONTACT,
     ENERGY,
@@ -78,7 +78,7 @@ def _places(vehicle: Vehicle) -> IntArray:
     )
 
 
-@kernel
+@allocating_kernel
 def _rows(
     bundle: Bundle,
     places: IntArray,

@@ -9,7 +9,7 @@ import numpy as np
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.state import Patch
 from hh_exudyn.contact.types import SplineTable
-from hh_exudyn.kernel import Bundle, kernel
+from hh_exudyn.kernel import Bundle, allocating_kernel, kernel
 from hh_exudyn.multibody.chatter import ChatterState, chatter_state, count_chatter
 from hh_exudyn.multibody.model import SystemModel, Workspace
 
@@ -139,7 +139,7 @@ def look(work: Workspace, state: WatchState, step: float) -> tuple[Trouble, int,
     return Trouble.NONE, -1, -1
 
 
-@kernel
+@allocating_kernel
 def look_bundle(bundle: Bundle, step: float) -> tuple[Trouble, int, int]:
     """`look` for a bundle of work space (as its model) and watch.
 

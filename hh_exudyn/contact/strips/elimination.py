@@ -77,9 +77,27 @@ def select(n: int, numbers: FloatArray, all_columns: FloatArray, columns: FloatA
     columns : FloatArray
         (>= n, >= n + PADDING) out.
     """
+    if n == 0:
+        return
+    first = int(numbers[0])
+    adjacent = numbers[n - 1] - numbers[0] == n - 1.0
     for k in range(n):
         column, chosen = all_columns[np.uint64(numbers[k])], columns[np.uint64(k)]
-        for r in range(n):
-            chosen[np.uint64(r)] = column[np.uint64(numbers[np.uint64(r)])]
+        if adjacent:
+            _copy(column, first, n, chosen)
+        else:
+            for r in range(n):
+                chosen[np.uint64(r)] = column[np.uint64(numbers[np.uint64(r)])]
         for r in range(n, n + PADDING):
             chosen[np.uint64(r)] = 0.0
+
+
+@inlined_kernel
+def _copy(row: FloatArray, first: int, n: int, other: FloatArray) -> None:
+    """The n numbers of a row from the first place on, and some beyond, into the beginning of another one."""
+    for start in range(0, n, _LANES):
+        k, i = np.uint64(start), np.uint64(first + start)
+        a, b, c, d = row[i], row[i + _1], row[i + _2], row[i + _3]
+        e, f, g, h = row[i + _4], row[i + _5], row[i + _6], row[i + _7]
+        other[k], other[k + _1], other[k + _2], other[k + _3] = a, b, c, d
+        other[k + _4], other[k + _5], other[k + _6], other[k + _7] = e, f, g, h
