@@ -296,7 +296,7 @@ def _write_patch(
     ):
         record[column] *= inverse
     px, py, pz = px * inverse, py * inverse, pz * inverse
-    normal_force = math.hypot(upward, inward)
+    normal_force = math.sqrt(upward * upward + inward * inward)
     cosine, sine = upward / normal_force, inward / normal_force
     record[Patch.NORMAL_FORCE] = normal_force
     record[Patch.CONTACT_ANGLE] = math.atan2(inward, upward)
