@@ -156,7 +156,7 @@ def kernel(function: F) -> F:
 def allocating_kernel(function: F) -> F:
     """`kernel` for a function that allocates arrays or opens a `Bundle`.
 
-    It must not call a kernel that returns arrays it was given, alone or in a NamedTuple: those are not counted.
+    It must not call a kernel that returns arrays, alone or in a NamedTuple: those are not counted.
     """
     return _compiled(function, _nrt=True)
 
@@ -223,7 +223,7 @@ def _on_stack(typing_context: Any, count: Any) -> Any:
 
 @intrinsic(prefer_literal=True)
 def _array_at(typing_context: Any, place: Any, shape: Any) -> Any:
-    """Array of a constant shape at a pointer: like `numba.carray`, which kernels without counts cannot call."""
+    """Array of a constant shape at a pointer: as `numba.carray`, which needs reference counts."""
     if not all(isinstance(size, types.IntegerLiteral) for size in shape):
         return None
     result = types.Array(types.float64, len(shape), "C")

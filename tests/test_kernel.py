@@ -1,5 +1,6 @@
 """The kernel decorator and its cache: never stale, never in the way."""
 
+import ast
 import os
 import shutil
 import subprocess
@@ -195,3 +196,42 @@ def test_division_by_zero_is_infinite_as_in_numpy(project: Path, tmp_path: Path)
     code = "from hh_exudyn.contact.inverse import inverse\nprint(inverse(0.0))"
     result = run(project, code, tmp_path / "cache")
     assert result.stdout.strip() == "inf", result.stderr
+
+
+def test_a_kernel_that_allocates_is_refused_when_compiled(project: Path, tmp_path: Path) -> None:
+    (project / "hh_exudyn/contact/inner.py").write_text(
+        """
+import numpy as np
+from hh_exudyn.kernel import kernel
+
+@kernel
+def inner(x):
+    return np.zeros(3)[0] + x
+"""
+    )
+    result = run(project, CALL, tmp_path / "cache")
+    assert result.returncode != 0
+    assert "NRT required but not enabled" in result.stderr or "array passed into" in result.stderr
+
+
+def test_what_allocates_calls_no_kernel_that_returns_arrays() -> None:
+    """Such a kernel does not count its references, its caller would take one away: memory in use is freed."""
+    numbers = {"float", "int", "bool", "None", "tuple", "Triple", "Quadruple", "Trouble"}
+    returns: dict[str, set[str]] = {}
+    allocating: list[ast.FunctionDef] = []
+    for path in sorted(
+        path for package in kernel._PACKAGES for path in (kernel._ROOT / package).rglob("*.py")
+    ):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.FunctionDef):
+                marks = {mark.id for mark in node.decorator_list if isinstance(mark, ast.Name)}
+                if marks & {"kernel", "inlined_kernel"} and node.returns is not None:
+                    names = {part.id for part in ast.walk(node.returns) if isinstance(part, ast.Name)}
+                    returns[node.name] = returns.get(node.name, set()) | names
+                if "allocating_kernel" in marks:
+                    allocating.append(node)
+    assert len(allocating) > 5
+    for node in allocating:
+        for call in ast.walk(node):
+            if isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id in returns:
+                assert returns[call.func.id] <= numbers, f"{node.name} calls {call.func.id}"

@@ -26,8 +26,9 @@ class ContactCase(CaseTable):
 
     Without a normal theory it is coupled strips, or Hertz's ellipse for a tangential theory that is made for
     ellipses. Coupled strips lie where they lie on the wheel: they take the cells along from `cells`, not the
-    cells across. 20 cells along keep the creep forces of demo and locomotive within 0.4 % of mu N (0.14 % rms)
-    of those with 100 cells, 32 within 0.16 %; FaStrip itself is 1 % from the exact solution. With the theory
+    cells across. 20 cells along keep the creep forces of demo and locomotive within 0.4 % of mu N (0.14 %
+    rms) of those with 100 cells, 32 within 0.16 %; FaStrip itself is 1 % from the exact solution. With the
+    theory
     "given" profiles, coefficients and conicity are those of the vehicle.
     """
 

@@ -197,9 +197,7 @@ def rail_at(rails: RailTables, s: float) -> tuple[SplineTable, float]:
     start, point = np.empty(1), np.empty(1)
     nodes = np.empty((_ROWS, rails.nodes.shape[2]))
     _copy_rail(rails, s, nodes, start, point)
-    table = SplineTable(
-        float(start[0]), rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE]
-    )
+    table = SplineTable(float(start[0]), rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE])
     return table, float(point[0])
 
 

@@ -1,9 +1,9 @@
 """Gauss's elimination of a small system, given by columns (kernel).
 
 The rows in memory are the columns A^T of the system A x = b. With A^T = L U, L with a unit diagonal, it is
-U^T L^T x = b: both triangular solves subtract multiples of rows too, so that all inner loops run over adjacent
-numbers, eight at a time and over the end of a row, into `PADDING`: the few equations of a wheel would
-otherwise spend their time in remainders of loops.
+U^T L^T x = b: both triangular solves subtract multiples of rows too, so that all inner loops run over
+adjacent numbers, eight at a time and over the end of a row, into `PADDING`: the few equations of a wheel
+would otherwise spend their time in remainders of loops.
 """
 
 import numpy as np

@@ -125,7 +125,7 @@ def mean_density(t: float, half: float) -> float:
 
 
 def _even_table() -> FloatArray:
-    """(nodes, `_APART`): F((m + 1/2)/r) - F((m - 1/2)/r) of equal strips m widths apart, over ln r, r = a/w."""
+    """(nodes, `_APART`): F((m + 1/2)/r) - F((m - 1/2)/r), equal strips m widths apart, over ln r, r = a/w."""
     half = 0.5 / np.exp(_FIRST + np.arange(_NODES) / _PER_LOGARITHM)
     points, weights = np.polynomial.legendre.leggauss(24)
     # of a strip on itself, the logarithm is integrated by itself

@@ -91,7 +91,9 @@ def solve_loads(count: int, modulus: float, guess: FloatArray, state: Memory) ->
 @allocating_kernel
 def _solve_many_loads(count: int, modulus: float, guess: FloatArray, state: Memory) -> bool:
     """`solve_loads` with matrices that are too large for the stack."""
-    return _solve_loads(count, modulus, guess, state, np.empty((count, count + PADDING)), np.empty((count, count + PADDING)))
+    return _solve_loads(
+        count, modulus, guess, state, np.empty((count, count + PADDING)), np.empty((count, count + PADDING))
+    )
 
 
 @kernel

@@ -69,9 +69,7 @@ def logged_pair(contact: WheelRailModel, pose: LoggedPose) -> WheelRailPair:
 
 
 @inlined_kernel
-def _pair(
-    contact: WheelRailModel, pose: LoggedPose, rail: SplineTable, vectors: FloatArray
-) -> WheelRailPair:
+def _pair(contact: WheelRailModel, pose: LoggedPose, rail: SplineTable, vectors: FloatArray) -> WheelRailPair:
     """`logged_pair` on a given rail, with (2, 3) numbers of work space."""
     yaw, roll = pose.angle_of_attack, pose.roll
     vectors[0, 0], vectors[0, 1], vectors[0, 2] = 0.0, pose.centre_y, pose.centre_z

@@ -6,7 +6,18 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from hh_exudyn.contact.strips.influence import influence_density, influence_integral, mean_density
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.strips.influence import (
+    CENTRING,
+    influence_density,
+    influence_integral,
+    influence_of,
+    mean_density,
+)
+from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
+from hh_exudyn.kernel import kernel, memory, shaped
+
+_STATE = ROWS * CAPACITY
 
 
 @pytest.mark.parametrize("t", [0.02, 0.3, 1.0, 4.0, 7.99, 8.01, 30.0])
@@ -35,6 +46,43 @@ def test_mean_over_a_strip(half: float, distance: float) -> None:
     t = distance * half
     exact = (influence_integral(t + half) - influence_integral(t - half)) / (2.0 * half)
     assert mean_density(t, half) == pytest.approx(exact, rel=6e-4)
+
+
+@kernel
+def influence_row(k: int, count: int, modulus: float, given: FloatArray, row: FloatArray) -> None:
+    """`influence_of` for rows in an array."""
+    state = memory(_STATE)
+    s = shaped(state, (ROWS, CAPACITY))
+    for i in range(ROWS):
+        for j in range(CAPACITY):
+            s[i, j] = given[i, j]
+    influence_of(k, count, modulus, state, row)
+
+
+@pytest.mark.parametrize("half_length", [0.6e-3, 1.1e-3, 4.0e-3, 9.3e-3, 55.0e-3])
+@pytest.mark.parametrize("missing", [(), (5, 6)])
+@pytest.mark.parametrize("count", [9, 24, 90])
+def test_every_pair_has_the_influence_of_the_integral(
+    half_length: float, missing: tuple[int, ...], count: int
+) -> None:
+    """Wide and narrow strips, gaps between, sources anywhere: each pair by its own distance and width."""
+    given = np.zeros((ROWS, CAPACITY))
+    numbers = np.array([k for k in range(count) if k not in missing])
+    width = np.where(np.arange(count) < count // 2, 1.25e-3, 0.75e-3)
+    arc = np.cumsum(width) - 0.5 * width
+    n = numbers.size
+    given[Row.NUMBER, :n], given[Row.ARC, :n], given[Row.WIDTH, :n] = numbers, arc[numbers], width[numbers]
+    given[Row.HALF_LENGTH, :n] = np.maximum(half_length, 0.5 * width[numbers])
+    row, modulus = np.zeros(CAPACITY), 1.1e11
+    for k in range(n):
+        influence_row(k, n, modulus, given, row)
+        a, w = given[Row.HALF_LENGTH, k], given[Row.WIDTH, k]
+        t, half = (given[Row.ARC, :n] - given[Row.ARC, k]) / a, 0.5 * w / a
+        exact = np.array([influence_integral(x + half) - influence_integral(x - half) for x in t])
+        exact *= CENTRING * 2.0 / (math.pi**2 * modulus * w)
+        assert row[:n] == pytest.approx(exact, rel=7e-4)
+        alike = given[Row.WIDTH, :n] == w
+        assert row[:n][alike] == pytest.approx(exact[alike], rel=7e-4 if a / w > 50.0 or count > 64 else 2e-5)
 
 
 def test_far_away_it_is_a_point_load() -> None:

@@ -38,12 +38,12 @@ def test_conditions(outwards: float, lowered: float, yaw: float) -> None:
     before, behind = np.where(apart[:-1], 0.0, beside[:-2]), np.where(apart[1:], 0.0, beside[2:])
     soft = np.maximum(0.8 * np.abs(behind - before) / (2.0 * own), 1e-3)  # e of `edges` [N]
     assert np.all(load >= 0.0)
-    # the kernel takes the mean over distant strips from two derivatives, to 4e-4, and one Newton step
-    noise = 3e-3 * overlap.max() + 0.15 * own * soft
+    # the kernel takes the influence between strips of different width to 6e-4, and one Newton step
+    noise = 1e-3 * overlap.max() + 0.15 * own * soft
     assert np.all(gap >= -noise)
     assert np.all(load * gap <= own * soft**2 / 16.0 + noise * (load + soft))
     inside = load > 2.0 * soft
-    assert gap[inside] == pytest.approx(0.0, abs=3e-3 * overlap.max())
+    assert gap[inside] == pytest.approx(0.0, abs=1e-3 * overlap.max())
 
 
 @pytest.mark.parametrize("curvature", [0.2, 0.4, 1.5, 6.0, 25.0])  # [1/m], a/b from 0.33 to 7.5
