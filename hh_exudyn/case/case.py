@@ -208,6 +208,21 @@ class Case(CaseTable):
             return self.friction.table(wheelsets)
         return constant_friction([[self.friction, self.friction]] * wheelsets)
 
+    def film_table(self, wheelsets: int) -> FrictionTable | None:
+        """The films of lubricant that treatments leave, by place, wheel and zone; None without treatments.
+
+        Raises ValueError as `friction_table`.
+
+        Parameters
+        ----------
+        wheelsets : int
+            Of the vehicle.
+        """
+        if not isinstance(self.friction, FrictionCase):
+            return None
+        table = self.friction.film_table(wheelsets)
+        return table if np.any(table.friction) else None
+
     def described_vehicle(self) -> Vehicle:
         """The description of the vehicle, that of the catalogue or of a variant."""
         return described(self.vehicle)

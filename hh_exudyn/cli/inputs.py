@@ -17,6 +17,10 @@ RECORDINGS = ()  # of any suffix
 RunFolder = Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")]
 CaseFile = Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file.")]
 NewFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="New or empty folder for the run.")]
+Unfinished = Annotated[
+    bool,
+    typer.Option("--unfinished", help="Take the log of a run that derailed, diverged or was interrupted."),
+]
 # of an elliptic patch
 SemiAxisAlong = Annotated[
     float, typer.Option(metavar="mm", help="Semi-axis of the patch in rolling direction.")

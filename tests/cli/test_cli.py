@@ -13,7 +13,7 @@ from typer.testing import CliRunner, Result
 from hh_exudyn import __version__
 from hh_exudyn.case import Case, read_case
 from hh_exudyn.cli.app import app
-from hh_exudyn.log.store import Recorder, open_run
+from hh_exudyn.log.store import Recorder, open_run, write_status
 
 DEMO = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text(encoding="utf-8")
 SHORT = Case.from_toml(DEMO).with_changes(
@@ -243,6 +243,7 @@ def test_bad_rows_are_refused_or_left_out(
     columns["force_y"][7] = 1e9
     with Recorder(tmp_path / "bad", {"case": (done[0] / "case.toml").read_text()}) as recorder:
         recorder.append("contact", columns)
+    write_status(tmp_path / "bad", {"finished": True})
     result = call("damage", tmp_path / "bad", "--out", tmp_path / "out")
     assert result.exit_code == 2
     message = one_line(result.stderr)
