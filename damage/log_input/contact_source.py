@@ -8,6 +8,7 @@ import numpy as np
 import pyarrow
 import pyarrow.dataset
 import pyarrow.fs
+import pyarrow.parquet
 from numpy.typing import ArrayLike
 
 from hh_exudyn.log.store import Run, open_run
@@ -62,6 +63,29 @@ def run_of(source: ContactSource) -> Run | None:
     if isinstance(source, Mapping | pyarrow.Table) or _parquet_files(Path(source)):
         return None
     return open_run(source)
+
+
+def has_column(source: ContactSource, name: str) -> bool:
+    """Whether a contact log has a column: of a run always as its channels say.
+
+    Parameters
+    ----------
+    source
+        The contact log.
+    name
+        Of the column.
+    """
+    if isinstance(source, pyarrow.Table):
+        return name in source.column_names
+    if isinstance(source, Mapping):
+        return name in source
+    if run_of(source) is not None:
+        return True
+    files = _parquet_files(Path(source))  # type: ignore[arg-type]
+    try:
+        return all(name in pyarrow.parquet.read_schema(path).names for path in files)
+    except pyarrow.ArrowInvalid:
+        return False  # `batches` says which file it is
 
 
 def _table(arrays: Mapping[str, ArrayLike]) -> pyarrow.Table:

@@ -20,10 +20,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from damage.log_input.bad_rows import BadRows
-from damage.log_input.contact_source import ContactSource
+from damage.log_input.bad_rows import BadRows, Fault
+from damage.log_input.contact_source import ContactSource, has_column
 from damage.log_input.contact_states import CHUNK_ROWS, DAMAGE_COLUMNS
-from damage.log_input.output_clock import OutOfOrder, OutputClock, TimedStates, output_clock, timed_states
+from damage.log_input.output_clock import (
+    GapInTime,
+    OutOfOrder,
+    OutputClock,
+    TimedStates,
+    output_clock,
+    timed_states,
+)
 from damage.log_input.states import POSE_COLUMNS, ContactStates, patch_of
 from damage.model import DamageModel
 from damage.patch_strips import FLANGE, TREAD
@@ -112,12 +119,19 @@ def accumulate(
     columns = DAMAGE_COLUMNS if model.normal == ELLIPSE else (*DAMAGE_COLUMNS, *POSE_COLUMNS)
     if model.films is not None and "s" not in columns:
         columns = (*columns, "s")  # sections of the track have films of their own
+    if has_column(source, "patch"):
+        columns = (*columns, "patch")  # a log has each patch of a time once
+    gap: Fault | None = None
     try:
         return _sum(timed_states(source, chunk_rows, bad_rows, clock, columns), model, threads, progress)
     except OutOfOrder:
         clock = output_clock(source, bad_rows is not None, columns)
+    except GapInTime as found:
+        clock, gap = output_clock(source, True, columns), found.fault
     if bad_rows is not None:
-        bad_rows.clear()
+        bad_rows.clear(ordered=False)
+        if gap is not None:
+            bad_rows.faults["gap in time"] = gap
     return _sum(timed_states(source, chunk_rows, bad_rows, clock, columns), model, threads, progress)
 
 

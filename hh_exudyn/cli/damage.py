@@ -115,7 +115,8 @@ def _assessed(run: "Run", skip_bad_rows: bool = False, **options: Any) -> "Damag
                 **options,
             )
         except ValueError as error:
-            hint = "; --skip-bad-rows leaves them out" if "rows are bad" in str(error) else ""
+            known = "rows are bad" in str(error) or "rows are missing" in str(error)
+            hint = "; --skip-bad-rows leaves them out" if known else ""
             raise inputs.BadInput(f"{run.directory}: {error}{hint}") from None
 
 
@@ -189,7 +190,7 @@ def show_damage(
     tables = {"damage.csv": report.to_table()}
     if distance_km is not None:
         tables["distance.csv"] = report.distance_table(1e3 * distance_km)
-    if report.bad_rows.count:
+    if report.bad_rows.faults:
         tables["bad_rows.csv"] = report.bad_rows.to_table()
     figures = _figures(run, report, 1e3 * (FIGURE_DISTANCE if distance_km is None else distance_km))
     folder.mkdir(parents=True, exist_ok=True)
@@ -211,7 +212,7 @@ def show_damage(
             f"{SEIZED} flange wear under seizure (above {pressure:.0f} MPa, 0.8 of the hardness): the "
             f"unworn profile wears in first; {NOT_EXTRAPOLATED}"
         )
-    if report.bad_rows.count:
+    if report.bad_rows.faults:
         output.print_line(f"left out: {report.bad_rows}")
     output.print_line(f"damage: {folder} ({', '.join([*tables, *figures])})")
 
