@@ -135,6 +135,8 @@ def _read(path: Path, above: tuple[Path, ...]) -> Variant:
         raise ValueError(f"{path}: cannot be read: {error.strerror}") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise ValueError(f"{path}: not valid TOML: {error}") from None
+    except RecursionError:
+        raise ValueError(f"{path}: not a vehicle file: its tables are nested too deeply") from None
     try:
         return _variant({"name": path.stem, **table}, path.name, path.parent, (*above, place))
     except ValueError as error:

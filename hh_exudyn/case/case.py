@@ -99,6 +99,13 @@ class Case(CaseTable):
             except ValidationError as error:
                 raise CaseError(explain(error, Case)) from None
 
+    @field_validator("name")
+    @classmethod
+    def _check_name(cls, value: str) -> str:
+        if not (value.isprintable() and value.strip()):
+            raise ValueError("allowed a text of one line without control characters")
+        return value
+
     @field_validator("vehicle", mode="before")
     @classmethod
     def _resolve_vehicle(cls, value: Any) -> Any:
@@ -309,6 +316,8 @@ class Case(CaseTable):
             data = tomllib.loads(text)
         except tomllib.TOMLDecodeError as error:
             raise CaseError(f"{source}: not valid TOML: {error}") from None
+        except RecursionError:
+            raise CaseError(f"{source}: not a case: its tables are nested too deeply") from None
         if folder is not None:
             _start_in(folder, data)
         try:

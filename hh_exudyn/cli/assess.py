@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.markup import escape
 from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
@@ -127,7 +126,7 @@ def _value_table(found: "Assessment", early: str) -> Table:
         heading, factor, digits = _SHOWN[finding.quantity]
         limit = finding.limit
         result.add_row(
-            escape(heading),
+            heading,
             output.number(factor * finding.value, digits),
             output.NOTHING
             if limit is None

@@ -29,7 +29,7 @@ def call(*words: str | Path) -> Result:
 
 def command(*words: str | Path, code: str = "") -> subprocess.CompletedProcess[str]:
     """The command in a process of its own, away from the checkout; `code` runs before it."""
-    start = ["-c", f"{code}\nfrom hh_exudyn.cli.app import main\nmain()"] if code else ["-m", "hh_exudyn"]
+    start = ["-c", f"{code}\nfrom hh_exudyn.__main__ import main\nmain()"] if code else ["-m", "hh_exudyn"]
     return subprocess.run(
         [sys.executable, *start, *(str(word) for word in words)],
         capture_output=True, text=True, cwd="/", env=os.environ | {"COLUMNS": "200"},
