@@ -13,6 +13,7 @@ vehicle of the catalogue at the end of the chain, so a `Variant` no longer depen
 ValueError of one line that begins with the file.
 """
 
+import os
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -125,7 +126,7 @@ def variant_of_table(table: Mapping[str, Any], source: str) -> Variant:
 
 def _read(path: Path, above: tuple[Path, ...]) -> Variant:
     """The variant in a file that the files `above` are based on."""
-    place = path.resolve()
+    place = Path(os.path.realpath(path))  # unlike `resolve` it bears a loop of links
     if place in above:
         chain = " -> ".join(file.name for file in (*above[above.index(place) :], place))
         raise ValueError(f"{path}: its base leads back to itself: {chain}")

@@ -1,5 +1,6 @@
 """Input of the commands: common arguments, and the refusal of bad input before any work."""
 
+import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -68,13 +69,23 @@ def check_patch(
 
 
 def require_new_folder(folder: Path) -> None:
-    """Raise `BadInput` for a folder that is not empty."""
+    """Raise `BadInput` for a folder that is not empty, or cannot be made; it is not made."""
+    made: list[Path] = []
     try:
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             kind = "is not empty" if folder.is_dir() else "is a file"
             raise BadInput(f"--out {folder}: {kind}, allowed is a new or an empty folder")
+        for path in (*reversed(folder.parents), folder):
+            if not path.is_dir():
+                path.mkdir()
+                made.append(path)
+        if not os.access(folder, os.W_OK | os.X_OK):
+            raise BadInput(f"--out {folder}: cannot be written to, allowed is a new or an empty folder")
     except OSError as error:
         raise BadInput(f"--out {folder}: {error.strerror}") from None
+    finally:
+        for path in reversed(made):
+            path.rmdir()
 
 
 def require_new_file(path: Path | None, option: str, suffixes: Sequence[str]) -> None:
@@ -100,10 +111,16 @@ def require_new_file(path: Path | None, option: str, suffixes: Sequence[str]) ->
         raise BadInput(
             f"{option} {path}: allowed {'is' if len(suffixes) == 1 else 'are'} {', '.join(suffixes)}"
         )
-    if path.exists():
+    try:
+        there = path.exists() or path.is_symlink()
+    except OSError as error:
+        raise BadInput(f"{option} {path}: {error.strerror}") from None
+    if there:
         raise BadInput(f"{option} {path}: exists already, allowed is a new file")
     if not path.parent.is_dir():
         raise BadInput(f"{option} {path}: there is no folder {path.parent}")
+    if not os.access(path.parent, os.W_OK | os.X_OK):
+        raise BadInput(f"{option} {path}: its folder cannot be written to")
 
 
 def read_run(folder: Path) -> "Run":
