@@ -51,7 +51,7 @@ class DamageModel:
         Thresholds of Burstow's correction; None for no correction.
     films
         Lubricant in the run, by place, wheel and zone; None for none. They divide the wear of a law with dry
-        coefficients that knows those of lubricated surfaces; for another law they are dropped.
+        coefficients that knows those of lubricated surfaces; for another law they are dry.
 
     Raises
     ------
@@ -75,8 +75,8 @@ class DamageModel:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "law", self.law.on(self.material.hardness))
-        if not self.law.with_films:
-            object.__setattr__(self, "films", None)
+        if self.films is not None and not self.law.with_films:
+            object.__setattr__(self, "films", self.films.without())
         check_contact(self.normal, self.theory, self.contact, self.pressure_limit)
         if min(self.cells) < 1:
             raise ValueError(f"cells = {self.cells} must be at least 1 along and across")

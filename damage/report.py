@@ -88,7 +88,7 @@ class DamageReport:
     def wear_surfaces(self) -> tuple[str, ...]:
         """Of every wheel, the surface that its wear coefficients are for: "dry", or the films by zone."""
         films = self.model.films
-        if films is None:
+        if films is None or not self.model.law.with_films:
             return (self.model.law.surface,) * len(self.surface.wheels)
         return tuple(films.named(wheel.vehicle, wheel.wheelset, wheel.side) for wheel in self.surface.wheels)
 

@@ -6,7 +6,7 @@ surface (`damage.wear.archard`; Hossein-Nia 2018, p. 70: 6 after Jendel, 100 aft
 from section to section the factor passes as friction does. Other laws have no such numbers: theirs stay dry.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -38,6 +38,10 @@ class WearFilms:
     def dry(self) -> bool:
         """Whether there is no lubricant at all."""
         return not np.any(self.films.friction)
+
+    def without(self) -> "WearFilms":
+        """The same wheelsets without any lubricant."""
+        return replace(self, films=self.films._replace(friction=np.zeros_like(self.films.friction)))
 
     @property
     def factors(self) -> FrictionTable:

@@ -215,8 +215,9 @@ class Case(CaseTable):
             return self.friction.table(wheelsets)
         return constant_friction([[self.friction, self.friction]] * wheelsets)
 
-    def film_table(self, wheelsets: int) -> FrictionTable | None:
-        """The films of lubricant that treatments leave, by place, wheel and zone; None without treatments.
+    def film_table(self, wheelsets: int) -> FrictionTable:
+        """The films of lubricant that treatments leave, by place, wheel and zone, as numbers in
+        `hh_exudyn.contact.friction.FILMS`.
 
         Raises ValueError as `friction_table`.
 
@@ -225,10 +226,9 @@ class Case(CaseTable):
         wheelsets : int
             Of the vehicle.
         """
-        if not isinstance(self.friction, FrictionCase):
-            return None
-        table = self.friction.film_table(wheelsets)
-        return table if np.any(table.friction) else None
+        if isinstance(self.friction, FrictionCase):
+            return self.friction.film_table(wheelsets)
+        return constant_friction(np.zeros((wheelsets, 2)))  # all dry
 
     def described_vehicle(self) -> Vehicle:
         """The description of the vehicle, that of the catalogue or of a variant."""

@@ -81,8 +81,8 @@ def damage(
         if pressure_limit is not None:
             options |= {"pressure_limit": 1e6 * pressure_limit}
         run = inputs.read_run(folder)
-        if surface is None:
-            options |= {"films": _films(run)}
+        films = _films(run)
+        options |= {"films": films if surface is None else films.without()}
         show_damage(run, out_folder or folder / "damage", distance_km, skip_bad_rows, **options)
 
 
@@ -120,16 +120,14 @@ def _assessed(run: "Run", skip_bad_rows: bool = False, **options: Any) -> "Damag
             raise inputs.BadInput(f"{run.directory}: {error}{hint}") from None
 
 
-def _films(run: "Run") -> "WearFilms | None":
-    """The lubricant of a run, by its case."""
+def _films(run: "Run") -> "WearFilms":
+    """The lubricant of a run, by its case; and its wheelsets."""
     from damage.wear.films import WearFilms
     from vehicles.stored import from_json
 
     case = _case(run)
     described = case.described_vehicle() if run.vehicle_text is None else from_json(run.vehicle_text)
     table = case.film_table(len(described.wheelsets))
-    if table is None:
-        return None
     units = [wheelset.unit for wheelset in described.wheelsets]
     return WearFilms(table, tuple(units.count(unit) for unit in described.units))
 
@@ -236,8 +234,7 @@ def _coefficients(report: "DamageReport", run: "Run") -> str:
     line = f"wear coefficients of {law.name}: {surfaces}"
     if set(wheels) != {"dry"}:
         return line
-    case = _case(run)
-    if case.film_table(len(case.described_vehicle().wheelsets)) is not None:
+    if not _films(run).dry:
         return f"{line}; doubtful: the case has lubricated zones"
     friction = report.surface.mean_friction[report.surface.patch_time > 0.0]
     least = float(friction.min(initial=1.0))

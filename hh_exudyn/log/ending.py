@@ -17,6 +17,8 @@ def ending(run: Run) -> str:
         status = run.status
     except (OSError, ValueError) as error:
         return f"its status cannot be read ({error})"
+    if not isinstance(status, dict):
+        return "its status is none"
     if status.get("finished") is True:
         return FINISHED
     reason = str(status.get("reason", "unknown"))

@@ -83,7 +83,7 @@ VEHICLES = {  # vehicle file: part of the line
     f"{BASE}wheelset.wheelbase = 1778": "wheelset.wheelbase = 1778 m is no plausible length",
     f"{BASE}bolster.height = -0.6": "bolster.height = -0.6 m is no plausible height: allowed 0.05 to 6 m",
     f"{BASE}wagon.centre_plate_distance = 11": "outside the vehicle: allowed -5.145 to 5.145 m",
-    f"{BASE}axle_box_pad.lateral_stiffness = 8.7": "is no plausible stiffness: allowed 0, or 10000 to 1e+10 N/m",
+    f"{BASE}axle_box_pad.lateral_stiffness = 8.7": "stiffness: allowed 0, or 10000 to 1e+10 N/m",
     f"{BASE}axle_box.stop_stiffness = 1e15": "axle_box.stop_stiffness = 1e+15 N/m is no plausible stiffness",
     f"{BASE}centre_plate.stick_stiffness = 175130": "where the base has 1.7513e+08 N/m: in another unit?",
     f'{BASE}wheelset.radius = {{value = 18, unit = "inch"}}': 'is in "inch": allowed "m", "mm", "cm"',

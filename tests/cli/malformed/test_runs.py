@@ -116,9 +116,9 @@ DAMAGE: dict[str, tuple[Fault, str]] = {
         "rows are missing: no rows between time = 0.796 and 1.2 s",
     ),
     "no column": (dropped("phi"), "has no column phi"),
-    "column twice": (twice("phi"), "phi"),
-    "not Parquet": (lambda run: part_of(run).write_text("nothing") and None, "part-00000.parquet"),
-    "empty part": (lambda run: part_of(run).write_text("") and None, "part-00000.parquet"),
+    "column twice": (twice("phi"), "has the column phi more than once"),
+    "not Parquet": (lambda run: part_of(run).write_text("nothing") and None, "arquet"),
+    "empty part": (lambda run: part_of(run).write_text("") and None, "arquet"),
     "case": (
         text("case.toml", DEMO.replace("60.0", "600.0")),
         "speed_km_h = 600 km/h: allowed 5 to 130 km/h",

@@ -25,9 +25,7 @@ def films(
     wheelsets: tuple[int, ...] = (4,), vehicle: str = "iore_wagon_loaded", **friction: object
 ) -> WearFilms:
     case = Case.from_toml(DEMO).with_changes(vehicle=vehicle, friction=friction)
-    table = case.film_table(sum(wheelsets))
-    assert table is not None
-    return WearFilms(table, wheelsets)
+    return WearFilms(case.film_table(sum(wheelsets)), wheelsets)
 
 
 def volume(log: pyarrow.Table, film: WearFilms | None, law: str = "archard") -> np.ndarray:
@@ -87,9 +85,10 @@ def test_laws_without_such_coefficients_stay_dry(make_log):
 
 
 def test_a_friction_modifier_is_no_lubricant():
-    case = Case.from_toml(DEMO)
-    assert case.film_table(4) is None
-    assert case.with_changes(friction={"climate": "dry", "treatments": ["top_of_rail"]}).film_table(4) is None
+    assert films(climate="dry").dry
+    assert films(climate="dry", treatments=["top_of_rail"]).dry
+    assert not films(**GREASED).dry
+    assert WearFilms(Case.from_toml(DEMO).film_table(4), (4,)).named(1, 1, 1) == "dry"
 
 
 def test_the_hardness_is_the_steels(make_log):
