@@ -218,8 +218,8 @@ def _watch_table(wheels: "list[dict[str, Any]]", seized: "dict[str, float]") -> 
     """What the watch over the whole run has seen, a line per wheel: zeros where nothing is doubtful."""
     table = output.new_table(
         "Watch over the whole run",
-        ("wheel", "lift [mm]", "flange\u00a0alone [m]", "contact\u00a0jumps [1/s]",
-         "curvature\u00a0floored [%]", "above\u00a0seizure [%]"),
+        ("wheel", "lift [mm]", "flange\u00a0alone [m]", "contact jumps [1/s]",
+         "curvature floored [%]", "above seizure [%]"),
     )  # fmt: skip
     for wheel in wheels:
         table.add_row(

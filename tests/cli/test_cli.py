@@ -164,10 +164,15 @@ def test_run_prints_recording_and_table(done: tuple[Path, subprocess.CompletedPr
         assert unit in result.stdout
     assert "…" not in result.stdout  # nothing cut off
     assert max(map(len, result.stdout.splitlines()[1:])) <= 80
-    rows = re.findall(r"^ +([1-4][LR]) +(\d+\.\d) ", result.stdout, flags=re.MULTILINE)
+    means, watch = result.stdout.split("Watch over the whole run")
+    rows = re.findall(r"^ +([1-4][LR]) +(\d+\.\d) ", means, flags=re.MULTILINE)
     assert [wheel for wheel, _ in rows] == [f"{w}{side}" for w in "1234" for side in "LR"]
     # 30 t axle load on straight track: 8 wheels carry 4 * 30 t * 9.81 m/s2 = 1177 kN in the mean
     assert sum(float(force) for _, force in rows) == pytest.approx(1177, rel=0.01)
+    # smooth straight track: nothing lifts by a millimetre, runs on its flange, jumps, or seizes
+    seen = re.findall(r"^ +[1-4][LR] +0\.\d\d +0\.0 +\d +0\.0 +0\.0 *$", watch, flags=re.MULTILINE)
+    assert len(seen) == 8
+    assert "doubtful" not in watch
 
 
 def test_case_is_kept_with_the_run(done: tuple[Path, subprocess.CompletedProcess[str]]) -> None:
