@@ -10,40 +10,15 @@ import pyarrow
 import pyarrow.parquet
 import pytest
 from malformed import check_refused
-
-from hh_exudyn.log.channels import LOGS
-from hh_exudyn.log.store import Recorder, write_case, write_status
+from rolling_run import rolling_run
 
 DEMO = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text(encoding="utf-8")
-TIMES = 0.004 * np.arange(500)
-GOOD = {
-    "bogie": 1.0, "vehicle": 1.0, "rolling_radius": 0.4575, "normal_force": 1e5, "a": 7e-3, "b": 5e-3,
-    "p_max": 1.2e9, "friction": 0.4, "speed": 15.0, "Q": 1e5, "force_x": 5e3, "nu_x": -1e-3,
-}  # fmt: skip
 Fault = Callable[[Path], None]
 
 
-@pytest.fixture(scope="module")
-def rows() -> np.ndarray:
-    """Rows of a contact log of two seconds: a wheelset that rolls straight on."""
-    names = [column.name for column in LOGS["contact"]]
-    blocks = []
-    for side in (1.0, -1.0):
-        values = GOOD | {"time": TIMES, "s": 15.0 * TIMES, "wheelset": 1.0, "side": side}
-        blocks.append(
-            np.column_stack([np.broadcast_to(values.get(name, 0.0), TIMES.shape) for name in names])
-        )
-    return np.concatenate(blocks)[np.argsort(np.tile(TIMES, 2), kind="stable")]
-
-
 @pytest.fixture
-def run(tmp_path: Path, rows: np.ndarray) -> Path:
-    folder = tmp_path / "run"
-    with Recorder(folder, {"case": DEMO}) as recorder:
-        write_case(folder, DEMO)
-        recorder.append_rows("contact", rows)
-    write_status(folder, {"finished": True, "reason": "finished"})
-    return folder
+def run(tmp_path: Path) -> Path:
+    return rolling_run(tmp_path / "run", DEMO)
 
 
 def part_of(run: Path) -> Path:
