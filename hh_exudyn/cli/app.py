@@ -35,6 +35,7 @@ from hh_exudyn.cli import parameters as cli_parameters
 from hh_exudyn.cli import track as cli_track
 from hh_exudyn.cli import vehicle as cli_vehicle
 from hh_exudyn.cli.damage import show_damage
+from hh_exudyn.cli.usage import OneLineUsage
 
 if TYPE_CHECKING:
     from damage.summary import WheelsetSummary
@@ -48,6 +49,7 @@ NewRecording = Annotated[
 ]
 
 app = typer.Typer(
+    cls=OneLineUsage,
     help="Wheel damage on heavy-haul railways.",
     add_completion=False,
     no_args_is_help=True,

@@ -10,7 +10,22 @@ DEMO = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text(encoding=
 PATCH = "patch --a-mm 6 --b-mm 5 --load-kn 100"
 CURVES = "creep-curve --a-mm 6 --b-mm 5 --load-kn 100"
 
-OPTIONS = {  # command, HERE for the folder of the test: part of the line
+USAGE = {  # command: the whole line
+    "demo": "Missing option '--out'; see hh-exudyn demo --help",
+    "dmo": "No such command 'dmo'",
+    "run": "Missing argument 'CASE.toml'; see hh-exudyn run --help",
+    "run --out": "requires an argument; see hh-exudyn",
+    "track plt": "No such command 'plt'",
+    "conicity S1002": "Missing argument 'RAIL'; see hh-exudyn conicity --help",
+    "conicity S1002 60E1 --nope": "No such option: --nope",
+    "patch --a-mm x": "Invalid value for '--a-mm'",
+    f"{PATCH} --cellls 3": "No such option: --cellls",
+    "conicity S1003 60E1": "S1003",
+    "conicity S1002 61E1": "61E1",
+    "conicity HERE/none.prf 60E1": "none.prf",
+}
+
+OPTIONS = USAGE | {  # command, HERE for the folder of the test: part of the line
     f"{PATCH} --a-mm 0": "--a-mm 0 mm: allowed 0.1 to 100 mm",
     f"{PATCH} --a-mm nan": "--a-mm nan mm: allowed 0.1 to 100 mm",
     f"{PATCH} --b-mm 1e9": "--b-mm 1e+09 mm: allowed 0.1 to 100 mm",
