@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -85,7 +85,8 @@ def require_new_folder(folder: Path) -> None:
         raise BadInput(f"--out {folder}: {error.strerror}") from None
     finally:
         for path in reversed(made):
-            path.rmdir()
+            with suppress(OSError):  # another process has begun to use it
+                path.rmdir()
 
 
 def require_new_file(path: Path | None, option: str, suffixes: Sequence[str]) -> None:
