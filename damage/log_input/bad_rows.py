@@ -30,13 +30,13 @@ _LOADED_RANGES = (
 )
 _RANGES = (
     ("normal_force", 0.0, True, 10e6),
-    ("rolling_radius", 0.0, False, 2.0),
+    ("rolling_radius", 0.05, True, 2.0),
     ("speed", 0.0, True, 200.0),
 )
 _SIZES = (
-    ("nu_x", 100.0),
-    ("nu_y", 100.0),
-    ("phi", 1e3),
+    ("nu_x", 20.0),
+    ("nu_y", 5.0),
+    ("phi", 20.0),
     ("y_wheel", 0.5),
     ("moment_z", 1e6),
 )  # of either sign
@@ -102,7 +102,7 @@ class BadRows:
             return
         keys = np.column_stack([chunk[name] for name in _ROW])
         before = max((key[0] for key in self._read), default=-math.inf)
-        if self.ordered and np.any(np.diff(keys[:, 0], prepend=before) < 0.0):
+        if self.ordered and np.any(keys[:, 0] < np.concatenate([[before], keys[:-1, 0]])):
             return  # not in order of time: such a log is read once more, with all rows in mind
         _, first, place = np.unique(keys, axis=0, return_index=True, return_inverse=True)
         rows = first[place.ravel()] != np.arange(len(keys))

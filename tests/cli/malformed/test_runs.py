@@ -71,12 +71,13 @@ def twice(name: str) -> Fault:
 
 
 DAMAGE: dict[str, tuple[Fault, str]] = {
-    "creepage": (value("nu_x", 1e6), "nu_x = 1e+06 - at time = 1.2 s must lie within -100..100 -"),
+    "creepage": (value("nu_x", 1e6), "nu_x = 1e+06 - at time = 1.2 s must lie within -20..20 -"),
     "speed": (value("speed", 1e9), "speed = 1e+09 m/s at time = 1.2 s must be <= 200 m/s"),
     "friction": (value("friction", 50.0), "friction = 50 - at time = 1.2 s must be <= 2 -"),
     "wheelset 99": (value("wheelset", 99), "wheelset = 99 - at time = 1.2 s must be a whole number"),
     "wheelset 9": (value("wheelset", 9), "vehicle 1, wheelset 9: the run has vehicles of 4 wheelsets"),
     "vehicle": (value("vehicle", 2), "vehicle 2, wheelset 1: the run has vehicles of 4 wheelsets"),
+    "infinite time": (value("time", np.inf), "time is NaN or infinite (1 such rows)"),
     "side": (value("side", 0), "side = 0 - at time = 1.2 s must be +1 (left) or -1 (right)"),
     "NaN": (value("phi", np.nan), "phi is NaN or infinite (1 such rows)"),
     "infinite": (value("a", np.inf), "a is NaN or infinite (1 such rows)"),

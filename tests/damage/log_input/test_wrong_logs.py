@@ -9,7 +9,7 @@ from damage.report import assess
 CELLS = (6, 6)
 ROW = 50  # of the 186 rows of `random_log`
 FAULTS = {  # column, value in one row, and what is said
-    "creepage": ("nu_x", 1e6, "nu_x = 1e+06 - at time = 0.1 s must lie within -100..100 -"),
+    "creepage": ("nu_x", 1e6, "nu_x = 1e+06 - at time = 0.1 s must lie within -20..20 -"),
     "lateral creepage": ("nu_y", -1e6, "nu_y = -1e+06"),
     "spin": ("phi", 1e5, "phi = 100000 1/m"),
     "speed": ("speed", 1e9, "speed = 1e+09 m/s at time = 0.1 s must be <= 200 m/s"),
@@ -20,6 +20,11 @@ FAULTS = {  # column, value in one row, and what is said
     "force": ("normal_force", 1e9, "normal_force = 1e+09 N"),
     "pressure": ("p_max", 1e15, "p_max = 1e+15 Pa"),
     "semi-axis": ("a", 6.0, "a = 6 m at time = 0.1 s must be <= 0.2 m"),
+    "radius of nothing": (
+        "rolling_radius",
+        1e-300,
+        "rolling_radius = 1e-300 m at time = 0.1 s must be >= 0.05 m",
+    ),
     "radius in mm": ("rolling_radius", 460.0, "rolling_radius = 460 m"),
     "place in mm": ("y_wheel", 12.0, "y_wheel = 12 m"),
 }
