@@ -4,7 +4,7 @@
 exit code  meaning
 =========  ==================================================================================
 0          done
-1          a fault of the program: one line, with the file of the traceback
+1          a fault of the program or the machine (a full disk): one line, with the file of the traceback
 2          bad input: one line with what is allowed; nothing was begun or overwritten
 3          the vehicle derailed or the run diverged; the log up to then remains
 130        Ctrl-C; the log up to then remains

@@ -16,6 +16,7 @@ from hh_exudyn.multibody.climb import (
     see_climb,
 )
 from hh_exudyn.multibody.model import Workspace, workspace
+from hh_exudyn.multibody.simulate import simulate
 from hh_exudyn.multibody.watch import Trouble, look, watch_state, watched
 from vehicles.catalogue import vehicle
 
@@ -122,3 +123,26 @@ def test_the_status_has_every_wheel(work, demo) -> None:
     assert [wheel["wheel"] for wheel in status["wheel_climb"]] == ["1L", "1R"]
     assert status["watch"][2]["floored_share"] == 0.5
     assert (status["floored_curvatures"], status["chatter"]) == (1, [])
+
+
+def test_a_run_that_ends_with_a_lifted_wheel_says_so(demo, tmp_path) -> None:
+    """An empty wagon goes into a curve of 100 m at a friction of 1: the outer leading wheel climbs. The track
+    ends before it is over the rail, so the run ends like any other."""
+    sections = [
+        {"kind": "straight", "length_m": 20.0},
+        {"kind": "transition", "length_m": 10.0},
+        {"kind": "curve", "length_m": 5.3, "radius_m": 100.0, "hand": "left"},
+    ]
+    case = demo.with_changes(
+        vehicle="iore_wagon_empty",
+        speed_km_h=35.0,
+        friction=1.0,
+        track={"flexibility": "rigid", "sections": sections},
+        contact={"theory": "polach", "normal": "hertz"},
+    )
+    status = simulate(case, tmp_path / "run").status
+    assert status["finished"] is True
+    (wheel,) = status["wheel_climb"]
+    assert wheel["wheel"] == "1R"
+    assert 5.0 < wheel["lift_mm"] < 20.0
+    assert wheel["lift_s_m"] == pytest.approx(34.3, abs=0.3)
