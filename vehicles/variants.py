@@ -126,7 +126,7 @@ def variant_of_table(table: Mapping[str, Any], source: str) -> Variant:
 
 def _read(path: Path, above: tuple[Path, ...]) -> Variant:
     """The variant in a file that the files `above` are based on."""
-    place = Path(os.path.realpath(path))  # unlike `resolve` it bears a loop of links
+    place = Path(os.path.realpath(path))
     if place in above:
         chain = " -> ".join(file.name for file in (*above[above.index(place) :], place))
         raise ValueError(f"{path}: its base leads back to itself: {chain}")

@@ -49,4 +49,4 @@ def from_folder(table: Any, folder: Path, *keys: str) -> None:
     for key in keys:
         name = table.get(key) if isinstance(table, dict) else None
         if isinstance(name, str) and name:
-            table[key] = os.path.realpath(folder / name)  # unlike `Path.resolve` it bears a loop of links
+            table[key] = os.path.realpath(folder / name)
