@@ -107,7 +107,7 @@ VEHICLES = {  # vehicle file: part of the line
     f"{BASE}wedge.colour = 3": "unknown parameter wedge.colour",
     f"{BASE}wedge = [1, 2]": "wedge = [1, 2]: unknown key",
     f"{BASE}description = 3": "description = 3: allowed a text",
-    f"a = {'[' * 3000}{']' * 3000}": "its tables are nested too deeply",
+    f"a = {'[' * 3000}{']' * 3000}": "nested too deep",
     "base = ": "not valid TOML",
 }
 
