@@ -1,7 +1,8 @@
 """A track with its irregularities, held to the limits that its sections have: gauge, cant, direction.
 
 Measured irregularities are anybody's numbers: a gauge that is narrow by design and narrower by irregularity
-jams the wheelset, and a run over it has forces of nothing real.
+jams the wheelset, and a run over it has forces of nothing real. So does a random track of FRA class 1 to 5 at
+1435 mm, whose gauge comes down to 1395 to 1421 mm: their tracks are wider.
 """
 
 from collections.abc import Iterator
@@ -51,7 +52,9 @@ def require_possible_track(case: Case, alignment: Alignment, irregular: Irregula
         *_beyond("slope of the alignment irregularity", slope, "", s, (-LARGEST_SLOPE, LARGEST_SLOPE)),
     ]
     if wrong:
-        raise ValueError(f"track.irregularity: {wrong[0]}")
+        raise ValueError(
+            f"track.irregularity: {wrong[0]}; another gauge_mm, or a smaller irregularity_scale, is needed"
+        )
 
 
 def _beyond(
