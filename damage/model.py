@@ -11,6 +11,7 @@ from damage.rcf.surface_index import FLANGE_CONTACT_ANGLE
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
 from damage.surface.normal_contact import ELLIPSE, check_contact
 from damage.wear.archard import DRY, archard, read_archard
+from damage.wear.films import WearFilms
 from damage.wear.law import WearLaw
 from hh_exudyn.contact.types import WheelRailModel
 
@@ -28,7 +29,7 @@ class DamageModel:
     material
         The wheel steel.
     law
-        The wear law, see `damage.wear.laws.wear_law`.
+        The wear law, see `damage.wear.laws.wear_law`; Archard's takes the hardness of the steel.
     theory
         Tangential theory, one of `damage.surface.patch_field.DAMAGE_THEORIES`.
     normal
@@ -48,6 +49,9 @@ class DamageModel:
         Bins along the patch.
     burstow
         Thresholds of Burstow's correction; None for no correction.
+    films
+        Lubricant in the run, by place, wheel and zone; None for none. They divide the wear of a law with dry
+        coefficients that knows those of lubricated surfaces; for another law they are dry.
 
     Raises
     ------
@@ -67,8 +71,12 @@ class DamageModel:
     grid: LateralGrid = field(default_factory=LateralGrid)
     patch_grid: PatchGrid = field(default_factory=PatchGrid)
     burstow: Burstow | None = None
+    films: WearFilms | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "law", self.law.on(self.material.hardness))
+        if self.films is not None and not self.law.with_films:
+            object.__setattr__(self, "films", self.films.without())
         check_contact(self.normal, self.theory, self.contact, self.pressure_limit)
         if min(self.cells) < 1:
             raise ValueError(f"cells = {self.cells} must be at least 1 along and across")
@@ -79,8 +87,8 @@ class DamageModel:
     def seizure_pressure(self) -> float:
         """Pressure above which unworn profiles wear in before anything is extrapolated [Pa].
 
-        0.8 of the hardness: of the wear law where it is Archard's, else of the steel, infinite where that
-        is not known.
+        0.8 of the hardness: of the wear law where it is Archard's (the steel's, or one that the caller
+        named), else of the steel, infinite where that is not known.
         """
         if self.law.name == "archard":
             return read_archard(np.array(self.law.numbers)).map.seizure_pressure

@@ -29,12 +29,13 @@ class PatchStrips(NamedTuple):
     nu_x: FloatArray  # rigid slip in the middle of the row of cells [-]
     nu_y: FloatArray
     phi: FloatArray  # spin creepage there [1/m]
+    wear_factor: FloatArray  # wear there over that of dry steel [-], `damage.wear.films`
     part: IntArray  # TREAD or FLANGE
 
 
 def strips_space(count: int) -> PatchStrips:
     """Memory for `count` strips."""
-    return PatchStrips._make([*np.zeros((8, count)), np.zeros(count, dtype=np.int64)])
+    return PatchStrips._make([*np.zeros((8, count)), np.ones(count), np.zeros(count, dtype=np.int64)])
 
 
 @kernel
@@ -54,7 +55,7 @@ def first_strips(strips: PatchStrips, fields: Fields, count: int) -> tuple[Patch
         PatchStrips(
             strips.position[:count], strips.covered[:count], strips.width[:count], strips.half_length[:count],
             strips.contact_length[:count], strips.nu_x[:count], strips.nu_y[:count], strips.phi[:count],
-            strips.part[:count],
+            strips.wear_factor[:count], strips.part[:count],
         ),
         Fields(
             fields.pressure[:count], fields.q_x[:count], fields.q_y[:count],

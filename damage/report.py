@@ -9,7 +9,7 @@ import pyarrow
 from numpy.typing import NDArray
 
 from damage.log_input.bad_rows import BadRows
-from damage.log_input.contact_source import ContactSource
+from damage.log_input.contact_source import ContactSource, run_of
 from damage.material import ER7, WheelMaterial
 from damage.model import DamageModel
 from damage.patch_strips import FLANGE, TREAD
@@ -20,9 +20,11 @@ from damage.surface.lateral_grid import LateralGrid, PatchGrid
 from damage.surface.normal_contact import chosen_contact
 from damage.surface.wheel_surface import DEFAULT_PATCH_GRID, WheelSurface
 from damage.wear.archard import archard
+from damage.wear.films import WearFilms
 from damage.wear.law import WearLaw
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.types import WheelRailModel
+from hh_exudyn.log.ending import require_finished
 
 DRY_ARCHARD = archard()
 
@@ -57,12 +59,15 @@ class DamageReport:
         Rows of the log that were skipped.
     seconds_per_state
         Wall time per contact state [s], of this machine.
+    ending
+        "finished", or why the run ended early; empty for a log without a run.
     """
 
     surface: WheelSurface
     model: DamageModel
     bad_rows: BadRows
     seconds_per_state: float
+    ending: str = ""
 
     @property
     def normal_contact(self) -> str:
@@ -79,12 +84,29 @@ class DamageReport:
         """(W,) the mark of flange wear that is not to be extrapolated, empty where it may be."""
         return np.where(self.seized, NOT_EXTRAPOLATED, "")
 
+    @property
+    def wear_surfaces(self) -> tuple[str, ...]:
+        """Of every wheel, the surface that its wear coefficients are for: "dry", or the films by zone."""
+        films = self.model.films
+        if films is None or not self.model.law.with_films:
+            return (self.model.law.surface,) * len(self.surface.wheels)
+        return tuple(films.named(wheel.vehicle, wheel.wheelset, wheel.side) for wheel in self.surface.wheels)
+
+    def _settings(self) -> dict[str, NDArray[np.generic]]:
+        """Columns of every table, (W,): end of the run, and surface of the wear coefficients."""
+        return {
+            "run": np.full(len(self.surface.wheels), self.ending),
+            "wear_surface": np.array(self.wear_surfaces, dtype=np.str_),
+        }
+
     def to_table(self) -> pyarrow.Table:
         """One row per wheel, with units in the names of the columns.
 
         Wear depth and fatigue without "flange" in the name are of the tread. ``wear_y_mm`` is the place of
         the tread's deepest wear on the profile (lateral coordinate, positive towards the flange).
-        ``flange_wear_note`` marks flange wear under seizure: unworn profiles wear in first.
+        ``run`` is the end of the run, ``wear_surface`` what the wear coefficients are for: dry, or by zone
+        the films of the case. ``flange_wear_note`` marks flange wear under seizure: unworn profiles wear in
+        first.
         ``wear_<regime>_share`` is the part of the worn volume in each regime of the wear law; of Archard's,
         "seizure" has the least certain coefficients. The RCF numbers are the largest of all places of patch
         and profile (the corrected one is missing without Burstow's thresholds), and the crack damage is the
@@ -119,7 +141,7 @@ class DamageReport:
             name = f"wear_{'_'.join(regime.replace(',', '').split())}_share"
             worn = surface.worn_volume[:, column]
             table[name] = np.divide(worn, volume, out=np.zeros_like(volume), where=volume > 0.0)
-        return pyarrow.table(table)
+        return pyarrow.table(table | self._settings())
 
     def distance_table(self, distance: float) -> pyarrow.Table:
         """Damage after a distance of the same rolling, one row per wheel.
@@ -134,7 +156,7 @@ class DamageReport:
         ValueError
             The distance is not finite and above zero.
         """
-        if not distance > 0.0:
+        if not 0.0 < distance < math.inf:
             raise ValueError(f"distance = {distance} m must be finite and > 0 m")
         surface = self.surface.scaled(distance)
         wheels = np.array(surface.wheels, dtype=np.int32).reshape(-1, 4)
@@ -148,7 +170,8 @@ class DamageReport:
             "flange_wear_note": self._flange_notes(),
             "worn_area_mm2": surface.worn_area.sum(axis=1) * 1e6,
         }
-        return pyarrow.table(table | _of_parts(surface, self.model.burstow is not None))
+        parts = _of_parts(surface, self.model.burstow is not None)
+        return pyarrow.table(table | parts | self._settings())
 
 
 def assess(
@@ -168,14 +191,16 @@ def assess(
     normal: str | None = None,
     pressure_limit: float = math.inf,
     progress: Progress | None = None,
+    films: WearFilms | None = None,
+    unfinished: bool = False,
 ) -> DamageReport:
     """Wear and rolling contact fatigue of all wheels of a run.
 
     Every contact state is solved again on a fine grid for its stresses and slip: by the strips of the run
     where its contact is given and was that of coupled strips, else by the equivalent ellipse of the log.
 
-    Sixteen arguments: settings of `damage.model.DamageModel` from `material` on, each with a default, so that
-    a call names only those that differ.
+    Eighteen arguments: settings of `damage.model.DamageModel` from `material` on, each with a default, so
+    that a call names only those that differ.
 
     Parameters
     ----------
@@ -190,7 +215,7 @@ def assess(
     cells
         Cells of a patch along and across [-].
     law
-        The wear law, see `damage.wear.laws.wear_law`.
+        The wear law, see `damage.wear.laws.wear_law`; Archard's without a hardness takes the material's.
     flange_angle
         Contact angle above which a contact counts as flange contact [rad], 0 to pi/2.
     grid
@@ -218,6 +243,10 @@ def assess(
         Upper bound of the pressure of the half-space [Pa]: area grows, force is kept.
     progress
         Called with the number of rows that have been summed.
+    films
+        Lubricant of the run, for a law with dry coefficients that knows those of lubricated surfaces.
+    unfinished
+        Whether a run that ended early is taken.
 
     Raises
     ------
@@ -225,8 +254,11 @@ def assess(
         There is no such run or file.
     ValueError
         Unknown theory or normal contact, a choice that does not go together, missing columns, bad rows,
-        patches beyond the grid, both a grid and a profile, or a run that does not move.
+        patches beyond the grid, both a grid and a profile, a run that does not move, or one that ended early.
     """
+    end = ""
+    if (run := run_of(source)) is not None:
+        end = require_finished(run, unfinished)
     if grid is not None and profile is not None:
         raise ValueError(
             "both a grid and a profile were given; LateralGrid.along(profile) is the grid of one"
@@ -237,8 +269,9 @@ def assess(
         burstow = Burstow.of(material)
     normal, theory = chosen_contact(normal, theory, contact)
     model = DamageModel(
-        material, law, theory, normal, contact, pressure_limit, cells, flange_angle, grid, patch_grid, burstow
-    )
+        material, law, theory, normal, contact, pressure_limit, cells, flange_angle, grid, patch_grid,
+        burstow, films,
+    )  # fmt: skip
     bad_rows = BadRows()
     start = time.perf_counter()
     skipped = bad_rows if skip_bad_rows else None
@@ -248,4 +281,4 @@ def assess(
         raise ValueError(f"the contact log has no good rows: {bad_rows}")
     if surface.distance <= 0.0:
         raise ValueError("the run does not move: wear per distance has no meaning")
-    return DamageReport(surface, model, bad_rows, wall / surface.rows)
+    return DamageReport(surface, model, bad_rows, wall / surface.rows, end)

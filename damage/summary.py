@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from damage.log_input.contact_states import contact_chunks
 from damage.material import ER7
+from damage.model import DamageModel
 from damage.rcf.surface_index import surface_fatigue_index
 from damage.wear.energy import wear_number
 from hh_exudyn.conventions import LEFT, RIGHT
@@ -102,6 +103,37 @@ def wheelset_summary(run: Run, window: Pair) -> list[WheelsetSummary]:
     )
     rows["fatigue"] = (index > 0.0).astype(np.float64)
     return [_summary(rows, int(vehicle), int(wheelset), count) for vehicle, wheelset in wheelsets]
+
+
+def seizure_shares(run: Run) -> dict[str, float]:
+    """Of every wheel ("1L"; of several vehicles counted through), the share of the output times with a patch
+    above the pressure of seizure, 0.8 of the hardness (ER7) [-].
+
+    Parameters
+    ----------
+    run
+        The run on disk.
+
+    Raises
+    ------
+    FileNotFoundError, ValueError
+        The run has no contact log.
+    """
+    limit = DamageModel(material=ER7).seizure_pressure
+    seized: dict[tuple[int, int, int], set[float]] = {}
+    times: set[float] = set()
+    for chunk in contact_chunks(run, ("time", "vehicle", "wheelset", "side", "p_max")):
+        times.update(np.unique(chunk["time"]).tolist())
+        wheels = np.column_stack([chunk[name] for name in ("vehicle", "wheelset", "side")]).astype(int)
+        for wheel in np.unique(wheels, axis=0):
+            mine = (wheels == wheel).all(axis=1) & (chunk["p_max"] > limit)
+            key = int(wheel[0]), int(wheel[1]), int(wheel[2])
+            seized.setdefault(key, set()).update(chunk["time"][mine].tolist())
+    wheelsets = sorted({key[:2] for key in seized})
+    return {
+        f"{wheelsets.index(key[:2]) + 1}{'L' if key[2] == LEFT else 'R'}": len(own) / len(times)
+        for key, own in seized.items()
+    }
 
 
 def _rows(run: Run, window: Pair) -> dict[str, NDArray[np.float64]]:

@@ -26,7 +26,7 @@ from typing import Self
 
 import numpy as np
 
-from hh_exudyn.contact.friction import FrictionTable
+from hh_exudyn.contact.friction import FILMS, FrictionTable
 from hh_exudyn.sourced import ParameterSet, load_parameters
 
 ZONES = ("tread", "gauge_corner", "flange")
@@ -179,6 +179,22 @@ class Friction:
             float(self.falling.ratio),
             float(self.falling.decrease),
         )
+
+
+def films(*treatments: str) -> tuple[str, str, str]:
+    """The film that treatments leave on tread, gauge corner and flange: the strongest of `FILMS`.
+
+    Raises ValueError for an unknown treatment (lists the known ones).
+    """
+    left = load_parameters("track", "friction").texts
+    for name in treatments:
+        _named("treatment", name)
+
+    def strongest(zone: str) -> str:
+        own = [left.get(f"film.{name}.{zone}", FILMS[0]) for name in treatments]
+        return max(own, key=FILMS.index, default=FILMS[0])
+
+    return strongest("tread"), strongest("gauge_corner"), strongest("flange")
 
 
 def climate(name: str) -> Zones:

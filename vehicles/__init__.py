@@ -6,7 +6,10 @@
 `description`    bodies, wheelsets, vehicles, in the coordinates of the drawing
 `couplings`      descriptions of springs, rods, stops, wedges, plates between two bodies; their forces
                  are in `hh_exudyn.multibody.couplings`
-`soundness`      checks of all numbers of a vehicle: finite, no negative stiffness or clearance
+`soundness`      checks of all numbers of a vehicle: finite, of a possible size, everything above the rails
+                 and between the ends
+`quantities`     plausible ranges of changed numbers, a type for each quantity
+`units`          other units of changed numbers
 `force_laws`     two-stage springs, stops, dry friction, wedges: kernels of plain numbers
 `outline`        a box for every body, for drawings
 `record`         the record of a vehicle in the catalogue

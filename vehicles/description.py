@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from hh_exudyn.conventions import GRAVITY
 from vehicles.couplings import AxleBox, AxleBoxPad, BumpStop, Coupling, Rod, Vector
-from vehicles.soundness import require_sound
+from vehicles.soundness import require_inside, require_sound
 from vehicles.traction.effort import TractionEquipment
 
 BODY_KINDS = ("car_body", "bogie_frame", "bolster", "side_frame", "motor", "wheelset")
@@ -164,6 +164,7 @@ class Vehicle:
                     "a wheelset, from a body that is none"
                 )
         require_sound((*self.bodies, *self.couplings, *self.wheelsets, *self.shoes, self.coupler))
+        require_inside(self)
 
     def body(self, name: str) -> Body:
         """The body of that name."""

@@ -5,13 +5,15 @@
 
     [wedge]
     friction = 0.35                 # in the unit that the base has
-    preload = { value = 1500.0, unit = "N", source = "assumed: a worn wedge stands higher" }
+    preload = { value = 1.5, unit = "kN", source = "assumed: a worn wedge stands higher" }
 
-A number alone has the source "variant: <file>". A base may be such a file itself; the changes of all files
-are merged onto the vehicle of the catalogue at the end of the chain, so a `Variant` no longer depends on
-files. Bad files raise ValueError of one line that begins with the file.
+Other units are converted (`vehicles.units`), ranges are those of `vehicles.quantities`. A number alone has
+the source "variant: <file>". A base may be such a file itself; the changes of all files are merged onto the
+vehicle of the catalogue at the end of the chain, so a `Variant` no longer depends on files. Bad files raise
+ValueError of one line that begins with the file.
 """
 
+import os
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -21,6 +23,8 @@ from typing import Any
 from hh_exudyn.sourced import VARIANT, Difference, Parameter, ParameterSet, differences, made
 from vehicles.catalogue import catalogued
 from vehicles.description import Vehicle
+from vehicles.quantities import require_plausible, require_same_unit
+from vehicles.units import converted
 
 _KEYS = ("name", "base", "description")  # of a variant's table; everything else is a part
 _ENTRY = {"value", "unit", "source"}
@@ -33,8 +37,8 @@ class Variant:
     Raises
     ------
     ValueError
-        The base is not in the catalogue, a change is not one of its parameters or has another unit, or the
-        vehicle cannot be built with them.
+        The base is not in the catalogue, a change is not one of its parameters, has another unit or no
+        plausible value, or the vehicle cannot be built with them.
     """
 
     name: str
@@ -43,6 +47,8 @@ class Variant:
     description: str = ""
 
     def __post_init__(self) -> None:
+        for change in self.changes:
+            require_plausible(change)
         self.vehicle()
 
     def parameters(self) -> ParameterSet:
@@ -95,7 +101,7 @@ def read_variant(path: str | Path) -> Variant:
     ------
     ValueError
         The file cannot be read or is not TOML, its base is missing, unknown or leads back to it, a number is
-        not one of the base's or not in its unit, or the vehicle cannot be built.
+        not one of the base's, in a foreign unit or not plausible, or the vehicle cannot be built.
     """
     return _read(Path(path), ())
 
@@ -120,7 +126,7 @@ def variant_of_table(table: Mapping[str, Any], source: str) -> Variant:
 
 def _read(path: Path, above: tuple[Path, ...]) -> Variant:
     """The variant in a file that the files `above` are based on."""
-    place = path.resolve()
+    place = Path(os.path.realpath(path))
     if place in above:
         chain = " -> ".join(file.name for file in (*above[above.index(place) :], place))
         raise ValueError(f"{path}: its base leads back to itself: {chain}")
@@ -130,6 +136,8 @@ def _read(path: Path, above: tuple[Path, ...]) -> Variant:
         raise ValueError(f"{path}: cannot be read: {error.strerror}") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise ValueError(f"{path}: not valid TOML: {error}") from None
+    except RecursionError:
+        raise ValueError(f"{path}: not a vehicle file: its tables are nested too deeply") from None
     try:
         return _variant({"name": path.stem, **table}, path.name, path.parent, (*above, place))
     except ValueError as error:
@@ -158,12 +166,21 @@ def _variant(table: Mapping[str, Any], source: str, folder: Path, above: tuple[P
 def _parameter(name: str, entry: Any, known: ParameterSet, source: str) -> Parameter:
     """A changed number, checked; its unit is that of the base where the file gives none."""
     if not isinstance(entry, Mapping):
-        return known.replace({name: entry}, source).parameter(name)
+        alone = known.replace({name: entry}, source).parameter(name)
+        require_plausible(alone)
+        require_same_unit(alone, known.parameter(name))
+        return alone
     if "value" not in entry or set(entry) - _ENTRY:
         raise ValueError(f"{name} = {dict(entry)!r}: allowed a number, or a table of value, unit and source")
     value = known.replace({name: entry["value"]}, source).parameter(name)
-    texts = {key: _text(entry, key) or getattr(value, key) for key in ("unit", "source")}
-    return known.with_parameters([made(name, value=value.value, **texts)]).parameter(name)
+    try:
+        number = converted(value.value, _text(entry, "unit") or value.unit, value.unit)
+    except ValueError as error:
+        raise ValueError(f"{name} is {error}") from None
+    changed = made(name, value=number, unit=value.unit, source=_text(entry, "source") or value.source)
+    if "unit" not in entry:
+        require_same_unit(changed, known.parameter(name))
+    return changed
 
 
 def _text(table: Mapping[str, Any], key: str) -> str:

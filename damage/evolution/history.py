@@ -6,6 +6,7 @@
 A file is renamed into place when it is complete, so a killed loop leaves all finished steps.
 """
 
+import math
 import os
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -104,7 +105,8 @@ def read_history(directory: Path | str) -> WearHistory:
     Raises
     ------
     ValueError
-        A file is not one of a step, or a step is missing between others.
+        A file is not one of a step, a step is missing between others, or distances that do not increase from
+        0 on.
     """
     directory = Path(directory)
     paths = sorted(directory.glob("step-*.npz"))
@@ -113,7 +115,16 @@ def read_history(directory: Path | str) -> WearHistory:
         raise ValueError(
             f"{directory}: {len(paths)} steps up to {paths[-1].name}, some are missing before it"
         )
-    return WearHistory(tuple(_read_step(path) for path in paths))
+    steps = tuple(_read_step(path) for path in paths)
+    before = -math.inf
+    for path, step in zip(paths, steps, strict=True):
+        if not (math.isfinite(step.distance) and step.distance > before):
+            raise ValueError(
+                f"{path}: distance = {step.distance:g} m must be finite and above {max(before, 0.0):g} m, "
+                "that of the step before it"
+            )
+        before = step.distance
+    return WearHistory(steps)
 
 
 def _read_step(path: Path) -> WearStep:

@@ -66,7 +66,9 @@ def evolve(
 ) -> WearHistory:
     """The life of a wheel up to a distance.
 
-    It continues from the last step in the directory.
+    It continues from the last step in the directory. Where the directory holds more than the distance, its
+    steps up to there are taken and the last one is computed again, only as long as it is wanted: the result
+    is that of a life that ends there, and the directory stays as it is.
 
     Parameters
     ----------
@@ -101,16 +103,19 @@ def evolve(
         steps.append(WearStep(0.0, wheel, radius, 0.0, measure(wheel, radius, track)))
         write_step(directory, 0, steps[0])
     _check_same(directory, steps[0], wheel, radius)
+    reached = [step for step in steps if step.distance <= distance * (1.0 + _LAST)]
+    shorter, steps = len(reached) < len(steps), reached
     while distance - steps[-1].distance > _LAST * distance:
         steps.append(_next(steps[-1], wheel.name, wear_of, distance, control, track))
-        write_step(directory, len(steps) - 1, steps[-1])
+        if not shorter:
+            write_step(directory, len(steps) - 1, steps[-1])
         if progress is not None:
             progress(
                 steps[-1].distance / distance,
                 f"step {len(steps) - 1}: {1e-3 * steps[-1].distance:.0f} km, "
                 f"up to {1e3 * steps[-1].depth:.4f} mm deep",
             )
-    return WearHistory(tuple(step for step in steps if step.distance <= distance * (1.0 + _LAST)))
+    return WearHistory(tuple(steps))
 
 
 def _next(

@@ -8,6 +8,7 @@ import numpy as np
 import pyarrow
 import pyarrow.dataset
 import pyarrow.fs
+import pyarrow.parquet
 from numpy.typing import ArrayLike
 
 from hh_exudyn.log.store import Run, open_run
@@ -43,12 +44,48 @@ def batches(source: ContactSource, columns: Sequence[str], rows: int) -> Iterato
     if isinstance(source, pyarrow.Table):
         _require("the contact log", source.column_names, columns)
         return iter(source.select(list(columns)).to_batches(max_chunksize=rows))
-    if not isinstance(source, Run):
-        files = _parquet_files(Path(source))
-        if files:
-            return _file_batches(files, columns, rows)
-    run = source if isinstance(source, Run) else open_run(source)
+    run = run_of(source)
+    if run is None:
+        return _file_batches(_parquet_files(Path(source)), columns, rows)  # type: ignore[arg-type]
     return run.batches("contact", list(columns), rows)
+
+
+def run_of(source: ContactSource) -> Run | None:
+    """The run of a contact log; None for files, a table or arrays.
+
+    Raises
+    ------
+    FileNotFoundError
+        There is no such run or file.
+    """
+    if isinstance(source, Run):
+        return source
+    if isinstance(source, Mapping | pyarrow.Table) or _parquet_files(Path(source)):
+        return None
+    return open_run(source)
+
+
+def has_column(source: ContactSource, name: str) -> bool:
+    """Whether a contact log has a column: of a run always as its channels say.
+
+    Parameters
+    ----------
+    source
+        The contact log.
+    name
+        Of the column.
+    """
+    if isinstance(source, pyarrow.Table):
+        return name in source.column_names
+    if isinstance(source, Mapping):
+        return name in source
+    if run_of(source) is not None:
+        return True
+    files = _parquet_files(Path(source))  # type: ignore[arg-type]
+    try:
+        return all(name in pyarrow.parquet.read_schema(path).names for path in files)
+    except pyarrow.ArrowInvalid:
+        return False  # `batches` says which file it is
 
 
 def _table(arrays: Mapping[str, ArrayLike]) -> pyarrow.Table:

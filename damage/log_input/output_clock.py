@@ -7,22 +7,35 @@ them are in memory, and the intervals are the same. A log that is not in order o
 first time for its times alone (`output_clock`).
 """
 
+import math
 from collections import deque
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 
-from damage.log_input.bad_rows import BadRows, Chunk
+from damage.log_input.bad_rows import BadRows, Chunk, Fault
 from damage.log_input.contact_source import ContactSource
 from damage.log_input.contact_states import CHUNK_ROWS, DAMAGE_COLUMNS, sifted_chunks
 from damage.log_input.states import ContactStates, states_of
 from hh_exudyn.arrays import FloatArray, IntArray
 
+_FEWEST_STEPS = 10  # for a usual interval
+_EQUAL, _EQUAL_SHARE = 0.01, 0.8  # relative; of the steps, so that there is a usual one
+_GAP = 1.5  # of the usual interval
+
 
 class OutOfOrder(Exception):
     """A row of the log is earlier than the row before it."""
+
+
+class GapInTime(Exception):
+    """Rows are missing between two output times; `fault` says where."""
+
+    def __init__(self, fault: Fault) -> None:
+        super().__init__(fault.first)
+        self.fault = fault
 
 
 class TimedStates(NamedTuple):
@@ -66,6 +79,40 @@ class OutputClock:
             raise ValueError("the rows hold times that the clock was not made from")
         return TimedStates(states, self.steps[index], self.rows[index])
 
+    def without_gaps(self) -> "OutputClock":
+        """The same with the usual interval behind every gap: what is missing there is given to no row."""
+        fault = gap_in(self.times)
+        return self if fault is None else replace(self, steps=np.minimum(self.steps, _usual(self.times)))
+
+
+def _usual(times: FloatArray) -> float:
+    """The usual interval of output times [s]; infinite where they are too few, or have none."""
+    steps = np.diff(times)
+    if steps.size < _FEWEST_STEPS:
+        return math.inf
+    usual = float(np.median(steps))
+    equal = np.abs(steps - usual) <= _EQUAL * usual
+    return usual if equal.mean() >= _EQUAL_SHARE else math.inf
+
+
+def gap_in(times: FloatArray) -> Fault | None:
+    """The gaps between distinct output times in ascending order, where these are mostly equally far apart.
+
+    Parameters
+    ----------
+    times
+        (n,) [s].
+    """
+    usual = _usual(times)
+    wide = np.flatnonzero(np.diff(times) > _GAP * usual)
+    if wide.size == 0:
+        return None
+    first, last = times[wide[0]], times[wide[0] + 1]
+    return Fault(
+        int(wide.size),
+        f"no rows between time = {first:.6g} and {last:.6g} s, where they are {usual:.6g} s apart",
+    )
+
 
 class _Times:
     """Times of the rows read so far: of the rows whose interval is still open, and the one before them."""
@@ -74,6 +121,7 @@ class _Times:
         self.times: FloatArray = np.empty(0)
         self.rows: IntArray = np.empty(0, dtype=np.int64)
         self._before: float | None = None
+        self._forgotten: list[FloatArray] = []
 
     def add(self, times: FloatArray, good: FloatArray) -> None:
         """Add the finite times of all rows, and the times of the good rows, which share the intervals."""
@@ -87,7 +135,13 @@ class _Times:
         gone = int(np.searchsorted(self.times, first))
         if gone:
             self._before = float(self.times[gone - 1])
+            self._forgotten.append(self.times[:gone])
             self.times, self.rows = self.times[gone:], self.rows[gone:]
+
+    @property
+    def gap(self) -> Fault | None:
+        """The gaps between all times so far."""
+        return gap_in(np.concatenate([*self._forgotten, self.times]))
 
     @property
     def clock(self) -> OutputClock:
@@ -117,12 +171,14 @@ def output_clock(
     Raises
     ------
     ValueError
-        The log has no rows, or no row with a time; or bad rows, unless they are skipped.
+        The log has no rows, or no row with a time; or bad rows or gaps in time, unless they are skipped.
     """
-    times = _Times()
-    for chunk, good in sifted_chunks(source, columns, bad_rows=BadRows() if skip_bad_rows else None):
+    times, found = _Times(), BadRows(ordered=False)
+    for chunk, good in sifted_chunks(source, columns, bad_rows=found):
         times.add(_finite(chunk), good["time"])
-    return times.clock
+    if not skip_bad_rows:
+        require_good(found, times.gap)
+    return times.clock.without_gaps()
 
 
 def timed_states(
@@ -148,8 +204,10 @@ def timed_states(
     ------
     OutOfOrder
         There is no clock, and a row is earlier than the one before it.
+    GapInTime
+        There is no clock, bad rows are skipped, and rows are missing for a while; known at the end.
     ValueError
-        Missing columns, bad rows, no rows, or times that the clock does not hold.
+        Missing columns, bad rows, gaps in time, no rows, or times that the clock does not hold.
     """
     if clock is not None:
         for _, good in sifted_chunks(source, columns, rows, bad_rows):
@@ -166,9 +224,23 @@ def timed_states(
         while waiting and _last_time(waiting[0]) < latest:
             yield times.clock.timed(waiting.popleft())
         times.forget(min((part["time"][0] for part in waiting if part["time"].size), default=latest))
+    if (gap := times.gap) is not None:
+        if bad_rows is not None:
+            raise GapInTime(gap)
+        require_good(BadRows(), gap)
     clock = times.clock
     for part in waiting:
         yield clock.timed(part)
+
+
+def require_good(found: BadRows, gap: Fault | None = None) -> None:
+    """Raise ValueError for bad rows, or for a gap between the output times."""
+    if found.count:
+        raise ValueError(f"contact log: {found}")
+    if gap is not None:
+        raise ValueError(
+            f"contact log: rows are missing: {gap.first} ({gap.rows} such gap{'s' if gap.rows > 1 else ''})"
+        )
 
 
 def _last_time(chunk: Chunk) -> float:

@@ -20,10 +20,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from damage.log_input.bad_rows import BadRows
-from damage.log_input.contact_source import ContactSource
+from damage.log_input.bad_rows import BadRows, Fault
+from damage.log_input.contact_source import ContactSource, has_column
 from damage.log_input.contact_states import CHUNK_ROWS, DAMAGE_COLUMNS
-from damage.log_input.output_clock import OutOfOrder, OutputClock, TimedStates, output_clock, timed_states
+from damage.log_input.output_clock import (
+    GapInTime,
+    OutOfOrder,
+    OutputClock,
+    TimedStates,
+    output_clock,
+    timed_states,
+)
 from damage.log_input.states import POSE_COLUMNS, ContactStates, patch_of
 from damage.model import DamageModel
 from damage.patch_strips import FLANGE, TREAD
@@ -36,6 +43,7 @@ from damage.surface.contact_sums import (
     Work,
     add_patch,
     add_states,
+    fill_wear_factors,
     turning_of,
     work_space,
 )
@@ -45,6 +53,7 @@ from damage.surface.patch_field import DAMAGE_THEORIES
 from damage.surface.rebuilt_sums import add_rebuilt, rebuild_work, rebuilding
 from damage.surface.wheel_surface import Wheel, WheelSurface
 from damage.wear.energy import wear_number
+from damage.wear.films import NO_FILM
 from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.strips.table import CAPACITY
 from hh_exudyn.contact.types import Elastic
@@ -108,12 +117,21 @@ def accumulate(
     if threads < 1:
         raise ValueError(f"threads = {threads} must be at least 1")
     columns = DAMAGE_COLUMNS if model.normal == ELLIPSE else (*DAMAGE_COLUMNS, *POSE_COLUMNS)
+    if model.films is not None and "s" not in columns:
+        columns = (*columns, "s")  # sections of the track have films of their own
+    if has_column(source, "patch"):
+        columns = (*columns, "patch")  # a log has each patch of a time once
+    gap: Fault | None = None
     try:
         return _sum(timed_states(source, chunk_rows, bad_rows, clock, columns), model, threads, progress)
     except OutOfOrder:
         clock = output_clock(source, bad_rows is not None, columns)
+    except GapInTime as found:
+        clock, gap = output_clock(source, True, columns), found.fault
     if bad_rows is not None:
-        bad_rows.clear()
+        bad_rows.clear(ordered=False)
+        if gap is not None:
+            bad_rows.faults["gap in time"] = gap
     return _sum(timed_states(source, chunk_rows, bad_rows, clock, columns), model, threads, progress)
 
 
@@ -205,6 +223,7 @@ def _block_sums(block: Block, wheel: Wheel, model: DamageModel) -> Sums:
         model.law.values,
         model.limits,
         Bins(grid.start, grid.step, along.start, along.step),
+        NO_FILM if model.films is None else model.films.factors,
     )
     if model.normal == STRIPS and model.contact is not None:
         work = work_space((model.cells[0], CAPACITY), along.count)
@@ -242,6 +261,7 @@ def _add_solved(
             bearing = 2.0 / 3.0 * solved.area * solving.shear_yield
             placed.fatigue_index[row] = (solved.force - bearing) / states.normal_force[row]  # (3.16)
             np.maximum.at(sums.pressure_by_part, solved.strips.part, solved.max_pressure)
+            fill_wear_factors(states, placed, row, solved.angle, solving, solved.strips)
             turning = turning_of(states, row, placed.interval[row], placed.fatigue_index[row])
             patch = patch_of(states, row, solving.elastic)
             add_patch(patch, solved.area, solved.strips, solved.fields, turning, solving, spaces[size], sums)
@@ -269,7 +289,11 @@ def _piece_sums(piece: TimedStates, model: DamageModel) -> tuple[WheelSurface, I
         distance=float(np.sum(states.speed * interval / sharing)),
     )
     lowest, highest = places_between(states, wheel)
-    placed = Placed(part.astype(np.int64), interval, index, position, stretch, lowest, highest)
+    if model.films is None:
+        surfaces = np.zeros(wheel.size, dtype=np.int64)
+    else:
+        surfaces = model.films.rows(states.vehicle, states.wheelset)
+    placed = Placed(part.astype(np.int64), interval, index, position, stretch, lowest, highest, surfaces)
     return sums, wheel, placed
 
 

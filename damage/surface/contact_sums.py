@@ -15,6 +15,7 @@ from damage.surface.lateral_grid import spread
 from damage.surface.patch_field import patch_field
 from damage.wear.law import REGIMES, LawValues, SolvedPatch
 from hh_exudyn.arrays import FloatArray, IntArray
+from hh_exudyn.contact.friction import FrictionTable, friction_at
 from hh_exudyn.contact.types import Elastic, Fields, RollingPatch
 from hh_exudyn.kernel import inlined_kernel, kernel
 
@@ -29,6 +30,7 @@ class Placed(NamedTuple):
     stretch: FloatArray  # length in that coordinate over length across the patch [-]
     lowest: FloatArray  # place on the wheel where another patch of it may begin [m]
     highest: FloatArray
+    wheelset: IntArray  # row of its surface in `Solving.wear_factors`
 
 
 class Sums(NamedTuple):
@@ -56,6 +58,7 @@ class Solving(NamedTuple):
     law: LawValues
     limits: BurstowLimits
     bins: Bins
+    wear_factors: FrictionTable  # wear over that of dry steel, by place, wheel and zone
 
 
 class Turning(NamedTuple):
@@ -122,10 +125,52 @@ def add_states(states: ContactStates, placed: Placed, solving: Solving, work: Wo
         area = ellipse_strips(patch, work.strips)
         across = -states.side[row] * placed.stretch[row]
         place_strips(patch.b, placed.position[row], across, part, work.strips)
+        work.strips.wear_factor[:] = wear_factor(states, placed, row, states.contact_angle[row], solving)
         sums.pressure_by_part[part] = max(sums.pressure_by_part[part], states.p_max[row])
         if turning.rolled > 0.0:
             patch_field(solving.theory, patch, states.force_x[row], states.force_y[row], work.fields)
         add_patch(patch, area, work.strips, work.fields, turning, solving, work, sums)
+
+
+@inlined_kernel
+def wear_factor(states: ContactStates, placed: Placed, row: int, angle: float, solving: Solving) -> float:
+    """Wear over that of dry steel on a strip of a row [-] (kernel).
+
+    Parameters
+    ----------
+    states, placed, row
+        Contact states, their places, and the number of one.
+    angle
+        Contact angle of the strip, positive towards the flange [rad].
+    solving
+        Has the table of factors.
+    """
+    side = 0 if states.side[row] > 0.0 else 1
+    return friction_at(solving.wear_factors, placed.wheelset[row], side, states.s[row], angle, 0.0)
+
+
+@kernel
+def fill_wear_factors(
+    states: ContactStates,
+    placed: Placed,
+    row: int,
+    angles: FloatArray,
+    solving: Solving,
+    strips: PatchStrips,
+) -> None:
+    """Fill the wear factors of the strips of a row (kernel).
+
+    Parameters
+    ----------
+    states, placed, row, solving
+        As for `wear_factor`.
+    angles
+        (n,) contact angles of the strips [rad].
+    strips
+        (n,) result.
+    """
+    for strip in range(angles.size):
+        strips.wear_factor[strip] = wear_factor(states, placed, row, angles[strip], solving)
 
 
 @inlined_kernel
@@ -217,7 +262,9 @@ def _add_strips(
 ) -> None:
     """Add the wear of every strip of a patch, and the damage of its largest index."""
     for strip in range(depths.shape[0]):
-        d0, d1, d2, d3 = depths[strip, 0], depths[strip, 1], depths[strip, 2], depths[strip, 3]
+        factor = strips.wear_factor[strip]
+        d0, d1 = factor * depths[strip, 0], factor * depths[strip, 1]
+        d2, d3 = factor * depths[strip, 2], factor * depths[strip, 3]
         volume = strips.width[strip] * turning.rolled
         sums.worn_volume[0] += d0 * volume
         sums.worn_volume[1] += d1 * volume

@@ -47,6 +47,7 @@ class Solved(NamedTuple):
     fields: Fields
     force: float  # creep force [N]
     max_pressure: FloatArray  # (strips,) [Pa]
+    angle: FloatArray  # (strips,) contact angle, positive towards the flange [rad]
 
 
 @dataclass
@@ -189,9 +190,12 @@ class WheelSolver:
             phi=np.ascontiguousarray(
                 (rigid[1, rows, -1] - rigid[1, rows, 0]) / (contact.x[-1] - contact.x[0])
             ),
+            wear_factor=np.ones(count),
             part=np.where(gamma > self.flange_angle, FLANGE, TREAD).astype(np.int64),
         )
-        return Solved(strips, contact.area, part, force, part.pressure.max(axis=1))
+        return Solved(
+            strips, contact.area, part, force, part.pressure.max(axis=1), np.ascontiguousarray(gamma)
+        )
 
 
 @dataclass
@@ -222,7 +226,8 @@ class EllipseSolver:
             self._shares = ellipse_field(patch, fields, start)
             cell = (2.0 * strips.half_length * strips.width / nx)[:, None]
             force = float(np.hypot(np.sum(fields.q_x * cell), np.sum(fields.q_y * cell)))
-            yield Solved(strips, float(area), fields, force, np.full(ny, states.p_max[row]))
+            angle = np.full(ny, states.contact_angle[row])
+            yield Solved(strips, float(area), fields, force, np.full(ny, states.p_max[row]), angle)
 
 
 def _balanced(pressure: FloatArray, traction: FloatArray, slip: FloatArray, rigid: FloatArray) -> Fields:

@@ -11,7 +11,7 @@ import numpy as np
 
 from damage.log_input.states import ContactStates, patch_of
 from damage.patch_strips import FLANGE, TREAD, PatchStrips, first_strips
-from damage.surface.contact_sums import Placed, Solving, Sums, Work, add_patch, turning_of
+from damage.surface.contact_sums import Placed, Solving, Sums, Work, add_patch, turning_of, wear_factor
 from damage.surface.lateral_grid import LateralGrid
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.strips.rebuilt import LoggedPatch, LoggedPose, rebuilt_rows
@@ -128,7 +128,9 @@ def add_rebuilt(
         if count == 0:
             return row
         places = rebuild.left if states.side[row] > 0.0 else rebuild.right
-        loaded, area = _fill_strips(count, places, rebuild, rebuild_space.rows, work.strips)
+        loaded, area = _fill_strips(
+            count, places, rebuild, rebuild_space.rows, states, placed, row, solving, work.strips
+        )
         strips, fields = first_strips(work.strips, work.fields, loaded)
         for strip in range(loaded):
             part = strips.part[strip]
@@ -142,7 +144,15 @@ def add_rebuilt(
 
 @kernel
 def _fill_strips(
-    count: int, places: WheelPlaces, rebuild: Rebuilding, rows: FloatArray, strips: PatchStrips
+    count: int,
+    places: WheelPlaces,
+    rebuild: Rebuilding,
+    rows: FloatArray,
+    states: ContactStates,
+    placed: Placed,
+    row: int,
+    solving: Solving,
+    strips: PatchStrips,
 ) -> tuple[int, float]:
     """Fill the strips that carry load, in the order of the fields; their number and the area of contact."""
     loaded, area = 0, 0.0
@@ -158,6 +168,7 @@ def _fill_strips(
         strips.nu_x[loaded], strips.nu_y[loaded] = rows[Row.NU_X, j], rows[Row.NU_Y, j]
         strips.phi[loaded] = rows[Row.PHI, j]
         angle = math.atan2(rows[Row.SINE, j], rows[Row.COSINE, j])
+        strips.wear_factor[loaded] = wear_factor(states, placed, row, angle, solving)
         strips.part[loaded] = FLANGE if angle > rebuild.flange_angle else TREAD
         area += 2.0 * half_length * width
         loaded += 1

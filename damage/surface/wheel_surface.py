@@ -269,6 +269,11 @@ class WheelSurface:
         return _ratio(self.index_area, self.friction_area)
 
     @property
+    def mean_friction(self) -> NDArray[np.float64]:
+        """(W, 2) friction coefficient on the tread and on the flange, over the time in contact [-]."""
+        return _ratio(self.friction_area, self.patch_time)
+
+    @property
     def flange_share(self) -> NDArray[np.float64]:
         """(W,) share of the working points that lie on the flange [-]."""
         return _ratio(self.patch_time[:, FLANGE], self.patch_time.sum(axis=1))

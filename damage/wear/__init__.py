@@ -15,6 +15,7 @@ A law is made by name and then used like any other, on a batch of contact states
 `british_rail`   British Rail: worn area from the wear number
 `usfd`           Sheffield: wear number over contact area; Ward's cells
 `krause_poll`    Krause and Poll: volume from work and power density
+`films`          lubricant of a run: wear over that of dry steel, by place, wheel and zone
 `rate`           piecewise linear rates of the energy laws
 `wear_ratio`     depth over energy per lateral position, to spare full steps
 ===============  ==================================================================================

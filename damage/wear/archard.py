@@ -16,16 +16,18 @@ Hertz's in the middle and reaches seizure sooner.
 
 import math
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 from damage.parameters import parameters
 from damage.wear.jendel import JENDEL_REGIMES, JendelMap, MapValues, wear_coefficient, wear_regime
 from damage.wear.law import REGIMES, SolvedPatch, WearLaw, require_known
 from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.friction import FILMS
 from hh_exudyn.kernel import kernel
 
 DRY = JendelMap()
-SURFACES = ("dry", "lubricated", "greased")
+SURFACES = FILMS
 SLIPS = ("elastic", "rigid")
 
 
@@ -52,7 +54,8 @@ def archard(
     divisor
         Divisor instead of that of the surface [-], > 0; 5.5 is also in use for "lubricated".
     hardness
-        Of the softer steel, instead of the map's [Pa], > 0. The pressure of seizure is proportional to it.
+        Of the softer steel [Pa], > 0; None takes the map's, or where that has none the wheel steel's. The
+        pressure of seizure is proportional to it.
 
     Raises
     ------
@@ -68,7 +71,17 @@ def archard(
     if hardness is not None:
         wear_map = replace(wear_map, hardness=hardness)
     numbers = (float(slip == "rigid"), *wear_map.divided(divisor).values)
-    return WearLaw("archard", JENDEL_REGIMES, archard_depths, numbers)
+    return WearLaw(
+        "archard",
+        JENDEL_REGIMES,
+        archard_depths,
+        numbers,
+        surface,
+        with_films=surface == "dry",
+        for_hardness=None
+        if wear_map.hardness is not None
+        else partial(archard, surface, slip, wear_map, None if surface == "dry" else divisor),
+    )
 
 
 class ArchardValues(NamedTuple):

@@ -53,7 +53,8 @@ class JendelMap:
     seizure_ratio
         Seizure pressure over hardness [-] [M].
     hardness
-        Hardness H of the softer body [Pa]; about 2.6e9 to 2.7e9 Pa (270 HB) [M].
+        Hardness H of the softer body [Pa]; None takes that of the wheel steel, and where no steel is named
+        the 2.65 GPa (270 HB) of ``wear.toml``, at which the map is usually drawn [M].
 
     Raises
     ------
@@ -68,11 +69,13 @@ class JendelMap:
     severe_from: float = _DATA["severe_from"]
     severe_to: float = _DATA["severe_to"]
     seizure_ratio: float = _DATA["seizure_ratio"]
-    hardness: float = _DATA["hardness"]
+    hardness: float | None = None
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            check_above_zero(field.name, getattr(self, field.name), _UNITS[field.name], "the wear map")
+            value = getattr(self, field.name)
+            if value is not None:
+                check_above_zero(field.name, value, _UNITS[field.name], "the wear map")
         if self.severe_from >= self.severe_to:
             raise ValueError(
                 f"severe_from = {self.severe_from} m/s must lie below severe_to = {self.severe_to} m/s"
@@ -96,6 +99,7 @@ class JendelMap:
     @property
     def values(self) -> MapValues:
         """The map for the kernels."""
+        hardness = _DATA["hardness"] if self.hardness is None else self.hardness
         return MapValues(
             self.mild_slow,
             self.severe,
@@ -103,8 +107,8 @@ class JendelMap:
             self.seizure,
             self.severe_from,
             self.severe_to,
-            self.seizure_ratio * self.hardness,
-            self.hardness,
+            self.seizure_ratio * hardness,
+            hardness,
         )
 
 

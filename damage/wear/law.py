@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -61,6 +61,13 @@ class WearLaw:
         Its kernel, a `LawKernel`.
     numbers
         Numbers of the kernel, SI units; infinity is allowed, NaN is not.
+    surface
+        Surface that its coefficients are for: "dry", or one that the caller named.
+    with_films
+        Whether the films of a run divide its wear (`damage.wear.films`): dry coefficients of a law that knows
+        those of lubricated surfaces.
+    for_hardness
+        The law for the hardness of a steel [Pa]; None where no number depends on it, or the caller named it.
 
     Raises
     ------
@@ -72,6 +79,9 @@ class WearLaw:
     regimes: tuple[str, ...]
     depths: LawKernel
     numbers: tuple[float, ...]
+    surface: str = "dry"
+    with_films: bool = False
+    for_hardness: "Callable[[float], WearLaw] | None" = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if not 1 <= len(self.regimes) <= REGIMES:
@@ -80,6 +90,10 @@ class WearLaw:
             )
         if any(math.isnan(number) for number in self.numbers):
             raise ValueError(f"wear law {self.name!r}: numbers = {self.numbers} must not be NaN")
+
+    def on(self, hardness: float | None) -> "WearLaw":
+        """The law on a steel of that hardness [Pa]; itself where that is None, or of no influence."""
+        return self if hardness is None or self.for_hardness is None else self.for_hardness(hardness)
 
     @property
     def values(self) -> LawValues:

@@ -36,9 +36,10 @@ from scipy.signal import welch
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.assessment.accelerations import body_places, bogie_places, point_accelerations
 from hh_exudyn.assessment.limits import Limit, beyond_the_standards, data, limits
-from hh_exudyn.assessment.sections import AssessedSection, cut_sections
+from hh_exudyn.assessment.sections import AssessedSection, Unassessed, cut_sections
 from hh_exudyn.assessment.windows import sliding_mean, sliding_rms, window_centres
 from hh_exudyn.case import Case
+from hh_exudyn.log.ending import require_finished
 from hh_exudyn.log.store import Run
 from hh_exudyn.log.wheel_forces import WheelForces, wheel_forces
 from hh_exudyn.signals import band_pass, low_pass
@@ -142,6 +143,10 @@ class Assessment:
         By quantity.
     beyond : bool
         Whether the axle load is above the range of the standards.
+    left_out : tuple of Unassessed
+        Stretches of the track in no test section.
+    ending : str
+        "finished", or why the run ended early.
     """
 
     vehicle: Vehicle
@@ -151,6 +156,8 @@ class Assessment:
     instability_frequency: float
     limits: dict[str, Limit]
     beyond: bool
+    left_out: tuple[Unassessed, ...]
+    ending: str
 
     def worst(self) -> list[Finding]:
         """The largest value of every quantity in every kind of section, in order of the sections."""
@@ -180,23 +187,26 @@ class Assessment:
                 "share": finding.share if finding.limit else None,
                 "limit_confirmed": finding.limit.confirmed if finding.limit else None,
                 "limit_source": finding.limit.source if finding.limit else None,
+                "run": self.ending,
             }
             for finding in self.findings
         ]
         return pyarrow.Table.from_pylist(rows, schema=_SCHEMA)
 
 
-_TEXTS = {"kind", "hand", "quantity", "unit", "place", "limit_source"}
+_TEXTS = {"kind", "hand", "quantity", "unit", "place", "limit_source", "run"}
 _SCHEMA = pyarrow.schema(
     (name, "string" if name in _TEXTS else "bool" if name == "limit_confirmed" else "float64")
     for name in (
         "kind", "start_m", "end_m", "radius_m", "hand", "quantity", "unit", "place", "percentile_low",
-        "percentile_high", "value", "limit", "share", "limit_confirmed", "limit_source",
+        "percentile_high", "value", "limit", "share", "limit_confirmed", "limit_source", "run",
     )
 )  # fmt: skip
 
 
-def standard_assessment(run: Run, vehicle: int = 1, section_length: float | None = None) -> Assessment:
+def standard_assessment(
+    run: Run, vehicle: int = 1, section_length: float | None = None, unfinished: bool = False
+) -> Assessment:
     """The assessment of a run after UIC 518 / EN 14363.
 
     Parameters
@@ -207,6 +217,8 @@ def standard_assessment(run: Run, vehicle: int = 1, section_length: float | None
         Number of the vehicle in the run, from 1.
     section_length : float or None
         Of test sections on straights and in curves [m]; None, the default, for the lengths of UIC 518.
+    unfinished : bool
+        Whether a run that ended early is taken.
 
     Raises
     ------
@@ -214,13 +226,15 @@ def standard_assessment(run: Run, vehicle: int = 1, section_length: float | None
         The run has no case, contact log or motion log.
     ValueError
         An output interval above 10 ms, or one that is not constant; no stretch of track long enough for a
-        section; no such vehicle; a vehicle that stood still.
+        section; no such vehicle; a vehicle that stood still; a run that ended early; impossible or repeated
+        rows of the log.
     """
+    end = require_finished(run, unfinished)
     case = Case.from_toml(run.case_text, source=f"{run.directory}/case.toml", folder=run.directory)
     forces = wheel_forces(run, vehicle)
     _check_interval(forces)
     covered = float(forces.s[0].max()), float(forces.s[-1].min())
-    sections = cut_sections(case.alignment(), covered, section_length)
+    sections, left_out = cut_sections(case.alignment(), covered, section_length)
     described = case.described_vehicle() if run.vehicle_text is None else from_json(run.vehicle_text)
     raw = _sum_y(forces)
     f0 = _peak_frequency(raw, forces.interval)
@@ -228,7 +242,8 @@ def standard_assessment(run: Run, vehicle: int = 1, section_length: float | None
     histories["sum_y_rms"] = _in_band(raw, forces.interval, f0)
     known = limits(described)
     findings = tuple(finding for section in sections for finding in _findings(section, histories, known))
-    return Assessment(described, sections, findings, histories, f0, known, beyond_the_standards(described))
+    beyond = beyond_the_standards(described)
+    return Assessment(described, sections, findings, histories, f0, known, beyond, left_out, end)
 
 
 def _check_interval(forces: WheelForces) -> None:

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from hh_exudyn.assessment.limits import data
 from track.course.alignment import Alignment, Curve, Straight, Transition
@@ -55,13 +56,39 @@ class AssessedSection:
         return self.curvature != 0.0
 
 
-def cut_sections(
-    alignment: Alignment, covered: tuple[float, float], length: float | None = None
-) -> tuple[AssessedSection, ...]:
-    """The test sections of an alignment that a run covers.
+@dataclass(frozen=True)
+class Unassessed:
+    """A stretch of track in no test section, or covered by the run in part only.
+
+    Attributes
+    ----------
+    stretch : AssessedSection
+        Its kind and place, as the run covers it.
+    reason : str
+        Why it has no section, with lengths.
+    """
+
+    stretch: AssessedSection
+    reason: str
+
+    def __str__(self) -> str:
+        part = self.stretch
+        what = f"curve R {part.radius:.0f} m" if part.curved else part.kind
+        return f"{what} from {part.start:.1f} to {part.end:.1f} m, {self.reason}"
+
+
+class CutTrack(NamedTuple):
+    """Test sections of a track, and what lies in none."""
+
+    sections: tuple[AssessedSection, ...]
+    left_out: tuple[Unassessed, ...]
+
+
+def cut_sections(alignment: Alignment, covered: tuple[float, float], length: float | None = None) -> CutTrack:
+    """The test sections of an alignment that a run covers, and the stretches without any.
 
     A straight or curve holds as many whole sections as fit; the remainder is at its start, where the vehicle
-    still settles. A transition is one section. A stretch shorter than one section has none.
+    still settles, and is not named. A transition is one section. A stretch shorter than one section has none.
 
     Parameters
     ----------
@@ -79,26 +106,36 @@ def cut_sections(
     """
     if length is not None and not LENGTHS[0] <= length <= LENGTHS[1]:
         raise ValueError(f"section length is {length:g} m, allowed are {LENGTHS[0]:g} to {LENGTHS[1]:g} m")
-    found, short = [], []
+    found: list[AssessedSection] = []
+    short: list[Unassessed] = []
     for stretch in _stretches(alignment):
         whole = covered[0] <= stretch.start and stretch.end <= covered[1]
         part = replace(stretch, start=max(stretch.start, covered[0]), end=min(stretch.end, covered[1]))
         if part.kind == TRANSITION:
             if whole and part.length >= LENGTHS[0]:
                 found.append(part)
+            elif not whole:
+                short.append(Unassessed(stretch, f"covered for {max(part.length, 0.0):.1f} m"))
+            else:
+                short.append(Unassessed(part, f"{part.length:.1f} of {LENGTHS[0]:g} m"))
             continue
         wanted = length or _wanted(part)
-        count = math.floor(part.length / wanted + 1e-9)
-        if count == 0 and part.length > 0.0:
-            short.append(f"{part.kind} {part.length:.1f} of {wanted:g} m")
+        count = max(math.floor(part.length / wanted + 1e-9), 0)
+        if count == 0:
+            lies = part if part.length > 0.0 else stretch
+            short.append(Unassessed(lies, f"{max(part.length, 0.0):.1f} of {wanted:g} m"))
         starts = (part.end - wanted * (count - i) for i in range(count))
         found += [replace(part, start=start, end=start + wanted) for start in starts]
     if not any(section.kind != TRANSITION for section in found):
+        reached = [
+            part for part in short if part.stretch.kind != TRANSITION and part.stretch.end > covered[0]
+        ]
+        near = "; ".join(str(part) for part in reached if part.stretch.start < covered[1])
         raise ValueError(
-            f"no straight or curve is long enough for a test section: {'; '.join(short) or 'there is none'}; "
-            "a longer run or a shorter section length is needed"
+            f"no straight or curve is long enough for a test section: {near or 'there is none'}; a longer "
+            "run or a shorter section length is needed"
         )
-    return tuple(found)
+    return CutTrack(tuple(found), tuple(short))
 
 
 def _wanted(part: AssessedSection) -> float:

@@ -5,6 +5,7 @@
 `track`        the track: rails, foundation, irregularities, alignment
 `contact`      contact theories, damping; step of the integration, output interval of the logs
 `alignment`    sections, grades, files of the alignment
+`irregular`    a track with its irregularities within the limits of sections
 `rails`        rail profiles by name or file
 `friction`     the table of friction: zones, climate, treatment, sections
 `vehicle`      a vehicle by name, or with some numbers changed

@@ -99,6 +99,13 @@ class Case(CaseTable):
             except ValidationError as error:
                 raise CaseError(explain(error, Case)) from None
 
+    @field_validator("name")
+    @classmethod
+    def _check_name(cls, value: str) -> str:
+        if not (value.isprintable() and value.strip()):
+            raise ValueError("allowed a text of one line without control characters")
+        return value
+
     @field_validator("vehicle", mode="before")
     @classmethod
     def _resolve_vehicle(cls, value: Any) -> Any:
@@ -208,6 +215,21 @@ class Case(CaseTable):
             return self.friction.table(wheelsets)
         return constant_friction([[self.friction, self.friction]] * wheelsets)
 
+    def film_table(self, wheelsets: int) -> FrictionTable:
+        """The films of lubricant that treatments leave, by place, wheel and zone, as numbers in
+        `hh_exudyn.contact.friction.FILMS`.
+
+        Raises ValueError as `friction_table`.
+
+        Parameters
+        ----------
+        wheelsets : int
+            Of the vehicle.
+        """
+        if isinstance(self.friction, FrictionCase):
+            return self.friction.film_table(wheelsets)
+        return constant_friction(np.zeros((wheelsets, 2)))  # all dry
+
     def described_vehicle(self) -> Vehicle:
         """The description of the vehicle, that of the catalogue or of a variant."""
         return described(self.vehicle)
@@ -294,6 +316,8 @@ class Case(CaseTable):
             data = tomllib.loads(text)
         except tomllib.TOMLDecodeError as error:
             raise CaseError(f"{source}: not valid TOML: {error}") from None
+        except RecursionError:
+            raise CaseError(f"{source}: not a case: its tables are nested too deeply") from None
         if folder is not None:
             _start_in(folder, data)
         try:

@@ -83,6 +83,8 @@ def _locate(
         if tagged and len(inner) > 1:  # the kind of a section stands in pydantic's path, not in the file
             inner, field = tagged, None
             continue
+        if not inner:  # a form of a value with several, such as a text or a number
+            break
         owner = inner[0]
         key += f".{part}" if key else part
         field = owner.model_fields.get(part)
@@ -121,7 +123,20 @@ def _expected(field: FieldInfo | None) -> str:
     """Allowed values of a field without a range, in words."""
     if field is None:
         return ""
-    return "allowed a table" if _tables(field.annotation) else "allowed a text"
+    if _tables(field.annotation):
+        return "allowed a table"
+    kinds = set(_kinds(field.annotation))
+    words = [word for kind, word in _WORDS.items() if kind in kinds]
+    return f"allowed {' or '.join(words)}" if words else "allowed a text"
+
+
+_WORDS: dict[Any, str] = {bool: "true or false", int: "a whole number", float: "a number", str: "a text"}
+
+
+def _kinds(annotation: Any) -> list[Any]:
+    """The plain types inside a type."""
+    inner = [kind for part in get_args(annotation) for kind in _kinds(part)]
+    return inner or [annotation]
 
 
 def _shown(value: Any) -> str:

@@ -16,16 +16,17 @@ track with other values::
     climate = "dry"
 """
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import Annotated, Self, TypeVar
 
+import numpy as np
 from pydantic import AfterValidator, Field, model_validator
 
 from hh_exudyn.case.errors import closest
 from hh_exudyn.case.fields import CaseTable, number
-from hh_exudyn.contact.friction import FrictionTable
-from track.friction import ZONES, Falling, Friction, FrictionSection, Zones, climate, falling, known
+from hh_exudyn.contact.friction import FILMS, FrictionTable
+from track.friction import ZONES, Falling, Friction, FrictionSection, Zones, climate, falling, films, known
 
 _Names = TypeVar("_Names", str, tuple[str, ...])
 
@@ -142,15 +143,9 @@ class FrictionCase(BothRailsCase):
         ValueError
             A rail has neither climate nor coefficients.
         """
-        places = [(-self.ramp_m, (self,)), *((place.start_m, (place, self)) for place in self.sections)]
         return Friction(
             tuple(
-                FrictionSection(
-                    start,
-                    _zones(table for around in tables for table in (around.left, around)),
-                    _zones(table for around in tables for table in (around.right, around)),
-                )
-                for start, tables in places
+                FrictionSection(start, _zones(left), _zones(right)) for start, left, right in self._places()
             ),
             Falling() if self.falling is None else falling(self.falling),
             self.ramp_m,
@@ -164,21 +159,65 @@ class FrictionCase(BothRailsCase):
         ValueError
             The vehicle does not have a lubricated wheelset.
         """
+        return self.friction().table(self._own(wheelsets))
+
+    def film_table(self, wheelsets: int) -> FrictionTable:
+        """The films of lubricant, in a table as that of friction: numbers in `FILMS` instead of coefficients.
+
+        Raises ValueError as `table`.
+
+        Parameters
+        ----------
+        wheelsets : int
+            Of the vehicle.
+        """
+        own = self._own(wheelsets)
+
+        def codes(treatments: tuple[str, ...]) -> list[int]:
+            return [FILMS.index(film) for film in films(*treatments)]
+
+        numbers = [
+            [
+                [codes((*_treatments(rail), *of_wheelset)) for rail in (left, right)]
+                for _, left, right in self._places()
+            ]
+            for of_wheelset in dict.fromkeys(own)
+        ]
+        return self.friction().table(own)._replace(friction=np.array(numbers, dtype=np.float64))
+
+    def _places(self) -> list[tuple[float, list[SurfaceCase], list[SurfaceCase]]]:
+        """Start of each section [m], and the tables that state its left and right rail, nearest first."""
+        places = [(-self.ramp_m, (self,)), *((place.start_m, (place, self)) for place in self.sections)]
+        return [
+            (
+                start,
+                [table for around in tables for table in (around.left, around) if table is not None],
+                [table for around in tables for table in (around.right, around) if table is not None],
+            )
+            for start, tables in places
+        ]
+
+    def _own(self, wheelsets: int) -> list[tuple[str, ...]]:
+        """Treatments of each wheelset; raises ValueError for a lubricated one that the vehicle has not."""
         for i, wheelset in enumerate(self.lubricated_wheelsets):
             if not 1 <= wheelset <= wheelsets:
                 raise ValueError(
                     f"friction.lubricated_wheelsets[{i}] = {wheelset}: allowed 1 to {wheelsets}, the "
                     "wheelsets of the vehicle"
                 )
-        own = [(self.lubrication,) if w in self.lubricated_wheelsets else () for w in range(1, wheelsets + 1)]
-        return self.friction().table(own)
+        return [
+            (self.lubrication,) if w in self.lubricated_wheelsets else () for w in range(1, wheelsets + 1)
+        ]
 
 
-def _zones(tables: Iterable[SurfaceCase | None]) -> Zones:
+def _treatments(said: Sequence[SurfaceCase]) -> tuple[str, ...]:
+    """Treatments of one rail: those of the first table that has any."""
+    return next((table.treatments for table in said if table.treatments is not None), ())
+
+
+def _zones(said: Sequence[SurfaceCase]) -> Zones:
     """Friction of one rail: that of the first table with a surface."""
-    said = [table for table in tables if table is not None]
     zones = next((zones for table in said if (zones := table.untreated()) is not None), None)
     if zones is None:
         raise ValueError(f"climate is missing: allowed {', '.join(known('climate'))}; or {', '.join(ZONES)}")
-    treatments = next((table.treatments for table in said if table.treatments is not None), ())
-    return zones.treated(*treatments)
+    return zones.treated(*_treatments(said))

@@ -12,6 +12,7 @@
 `parameters`   every number of the data files
 `names`        names of registries in help texts
 `inputs`       common arguments, refusal of bad input, reading of a run
+`usage`        missing or misspelt options in one line
 `output`       lines, tables, figures, exit codes
 =============  ======================================================================================
 """

@@ -4,7 +4,7 @@
 exit code  meaning
 =========  ==================================================================================
 0          done
-1          a fault of the program: one line, with the file of the traceback
+1          a fault of the program or the machine (a full disk): one line, with the file of the traceback
 2          bad input: one line with what is allowed; nothing was begun or overwritten
 3          the vehicle derailed or the run diverged; the log up to then remains
 130        Ctrl-C; the log up to then remains
@@ -18,7 +18,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
@@ -35,6 +35,7 @@ from hh_exudyn.cli import parameters as cli_parameters
 from hh_exudyn.cli import track as cli_track
 from hh_exudyn.cli import vehicle as cli_vehicle
 from hh_exudyn.cli.damage import show_damage
+from hh_exudyn.cli.usage import OneLineUsage
 
 if TYPE_CHECKING:
     from damage.summary import WheelsetSummary
@@ -48,6 +49,7 @@ NewRecording = Annotated[
 ]
 
 app = typer.Typer(
+    cls=OneLineUsage,
     help="Wheel damage on heavy-haul railways.",
     add_completion=False,
     no_args_is_help=True,
@@ -65,7 +67,7 @@ cli_parameters.register(app)
 
 
 def main() -> None:
-    """Entry point of ``hh-exudyn``."""
+    """The command, as `hh_exudyn.__main__` calls it."""
     try:
         app()
     except KeyboardInterrupt:  # outside of a command: while a library is imported
@@ -127,7 +129,9 @@ def playback(
         recording = folder / RECORDING
         if not recording.is_file():
             _record(finished, recording)
-        output.print_line(f"{recording} opens in the rerun viewer (process {open_viewer(recording)})")
+        with output.status("opening the viewer"):
+            viewer = open_viewer(recording)
+        output.print_line(f"{recording} is open in the rerun viewer (process {viewer})")
 
 
 def _simulated(case: "Case", folder: Path) -> "Run":
@@ -140,6 +144,10 @@ def _simulated(case: "Case", folder: Path) -> "Run":
             return simulate(case, folder, progress=progress)
     except (SimulationStopped, NoEquilibrium) as error:
         output.fail(output.STOPPED, f"{error}; {output.log_place(folder)}")
+    except (
+        FileExistsError
+    ) as error:  # another run has claimed the folder meanwhile: nothing is written into it
+        raise inputs.BadInput(f"--out {folder}: {error}") from None
     except (ValueError, OSError) as error:
         if not folder.exists():  # nothing was begun: the case or the folder cannot be made
             raise inputs.BadInput(str(error)) from None
@@ -148,13 +156,15 @@ def _simulated(case: "Case", folder: Path) -> "Run":
 
 def _show_run(run: "Run") -> None:
     """Record the run; print its table and the paths of its files."""
-    from damage.summary import steady_window, wheelset_summary
+    from damage.summary import seizure_shares, steady_window, wheelset_summary
     from hh_exudyn.case import Case
     from hh_exudyn.case.numbers import assumed_summary
 
     window = steady_window(run)
     _record(run, run.directory / RECORDING)
     output.print_table(_wheelset_table(wheelset_summary(run, window), window))
+    if run.status.get("watch"):
+        output.print_table(_watch_table(run.status["watch"], seizure_shares(run)))
     output.print_line(assumed_summary(Case.from_toml(run.case_text)))
     if (resistance := run.status.get("curve_resistance_of_train")) is not None:
         output.print_line(f"curve resistance of the wagons behind: {resistance}")
@@ -162,6 +172,12 @@ def _show_run(run: "Run") -> None:
         output.print_line(
             f"doubtful: the contact of wheel {wheel['wheel']} jumps {wheel['changes_per_s']:g} times "
             f"a second (Q spreads by {wheel['spread_of_Q_kN']:g} kN) at s = {wheel['s_m']:g} m"
+        )
+    for wheel in run.status.get("wheel_climb", []):
+        output.print_line(
+            f"doubtful: wheel {wheel['wheel']} lifts up to {wheel['lift_mm']:g} mm from its rail "
+            f"(s = {wheel['lift_s_m']:g} m) and runs up to {wheel['flange_alone_m']:g} m on its flange alone "
+            f"(to s = {wheel['flange_alone_to_s_m']:g} m)"
         )
     output.print_line("Y is positive outwards; attack and position are positive to the left")
     output.print_line(f"play it: hh-exudyn playback {run.directory}")
@@ -200,10 +216,34 @@ def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) 
     return table
 
 
+def _watch_table(wheels: "list[dict[str, Any]]", seized: "dict[str, float]") -> Table:
+    """What the watch over the whole run has seen, a line per wheel: zeros where nothing is doubtful."""
+    table = output.new_table(
+        "Watch over the whole run",
+        ("wheel", "lift [mm]", "flange\u00a0alone [m]", "contact jumps [1/s]",
+         "curvature floored [%]", "above seizure [%]"),
+    )  # fmt: skip
+    for wheel in wheels:
+        table.add_row(
+            wheel["wheel"],
+            output.number(wheel["lift_mm"], 2),
+            output.number(wheel["flange_alone_m"], 1),
+            output.number(wheel["changes_per_s"], 0),
+            output.number(100.0 * wheel["floored_share"], 1),
+            output.number(100.0 * seized.get(wheel["wheel"], 0.0), 1),
+        )
+    return table
+
+
 @contextmanager
 def _progress_bar(name: str) -> Iterator[Callable[[float, str], None]]:
     """A progress bar on stderr, advanced by the callback of `simulate`; none where stderr is a file."""
-    columns = (TextColumn(name), BarColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    columns = (
+        TextColumn("{task.fields[case]}", markup=False),  # a name may have braces and brackets
+        BarColumn(),
+        TextColumn("{task.description}", markup=False),
+        TimeElapsedColumn(),
+    )
     with Progress(*columns, console=output.err, transient=True, disable=not output.err.is_terminal) as bar:
-        task = bar.add_task("equilibrium", total=1.0)
+        task = bar.add_task("equilibrium", total=1.0, case=name)
         yield lambda fraction, text: bar.update(task, completed=fraction, description=text)

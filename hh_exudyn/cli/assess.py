@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.markup import escape
 from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
@@ -52,13 +51,14 @@ def assess_ride(
         float | None,
         typer.Option(metavar="m", help="Of test sections. [default: 250 on straights, 70 or 100 in curves]"),
     ] = None,
+    unfinished: inputs.Unfinished = False,
 ) -> None:
     """Forces and accelerations of a run after UIC 518 / EN 14363, by test sections, and their limits."""
     with output.errors_in_one_line(folder):
         inputs.check_range("--section-length-m", section_length_m, 10.0, 1000.0, "m")
         inputs.require_new_file(figure, "--out", inputs.FIGURES)
         inputs.require_new_file(table, "--table", inputs.TABLES)
-        found = _assessed(folder, unit, section_length_m)
+        found = _assessed(folder, unit, section_length_m, unfinished)
         _show(found, folder.name)
         if table is not None:
             output.write_table(found.to_table(), table, "--table")
@@ -68,19 +68,24 @@ def assess_ride(
             output.write_figure(assessment_sheet(f"{folder.name}: {found.vehicle.name}", found), figure)
 
 
-def _assessed(folder: Path, unit: int, section_length: float | None) -> "Assessment":
+def _assessed(folder: Path, unit: int, section_length: float | None, unfinished: bool) -> "Assessment":
     """The assessment of the run in a folder; a run that cannot be assessed is bad input."""
     from hh_exudyn.assessment.report import standard_assessment
     from hh_exudyn.log.store import open_run
 
     with inputs.refused_as_bad_input():
-        return standard_assessment(open_run(folder), unit, section_length)
+        return standard_assessment(open_run(folder), unit, section_length, unfinished)
 
 
 def _show(found: "Assessment", name: str) -> None:
     """Test sections, the largest values by kind of section, and the sources of their limits."""
-    output.print_table(_section_table(found, name))
-    output.print_table(_value_table(found))
+    from hh_exudyn.log.ending import FINISHED
+
+    early = "" if found.ending == FINISHED else f" (unfinished run: {found.ending})"
+    output.print_table(_section_table(found, name + early))
+    for stretch in found.left_out:
+        output.print_line(f"not assessed: {stretch}")
+    output.print_table(_value_table(found, early))
     output.print_line(f"f0, the peak of the spectrum of sum Y: {found.instability_frequency:.2f} Hz")
     output.print_line(
         "? limit unconfirmed: read neither in the standard nor where it is cited. Limits are from:"
@@ -107,10 +112,10 @@ def _section_table(found: "Assessment", name: str) -> Table:
     return result
 
 
-def _value_table(found: "Assessment") -> Table:
+def _value_table(found: "Assessment", early: str) -> Table:
     """A line per kind of section and quantity: its largest value, where, and the limit."""
     result = output.new_table(
-        "Largest values by kind of section",
+        f"Largest values by kind of section{early}",
         ("quantity", "value", "limit", "used\u00a0[%]", "from [m]", "place"),
     )
     kind = ""
@@ -121,7 +126,7 @@ def _value_table(found: "Assessment") -> Table:
         heading, factor, digits = _SHOWN[finding.quantity]
         limit = finding.limit
         result.add_row(
-            escape(heading),
+            heading,
             output.number(factor * finding.value, digits),
             output.NOTHING
             if limit is None

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.markup import escape
 from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
@@ -162,7 +161,7 @@ def _print_comparisons(title: str, compared: "Callable[[], list[Comparison]]") -
     )
     for row in rows:
         table.add_row(
-            escape(row.quantity),
+            row.quantity,
             row.source,
             f"{row.found:.4g}",
             f"{row.wanted:.4g}",

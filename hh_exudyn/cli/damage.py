@@ -21,10 +21,13 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from damage.report import DamageReport
+    from damage.surface.wheel_surface import Wheel
+    from damage.wear.films import WearFilms
     from hh_exudyn.case import Case
     from hh_exudyn.log.store import Run
 
 
+LEAST_DRY_FRICTION = 0.2  # of very humid weather (Hossein-Nia 2018, 1.1.5): below, there is lubricant
 FIGURE_DISTANCE = 50_000.0  # km, of the figures without --distance-km: as in Hossein-Nia (2018)
 _THEORY_HELP = "Tangential theory: {damage_theories}. [default: fastrip, with the half-space its own]"
 _NORMAL_HELP = "Normal contact: {normal_contacts}. [default: strips, for a run without them ellipse]"
@@ -44,7 +47,10 @@ def damage(
     model: Annotated[str, typer.Option(metavar="LAW", help="Wear law: {wear_laws}.")] = "archard",
     surface: Annotated[
         str | None,
-        typer.Option(metavar="STATE", help="For Archard's wear coefficients: {surfaces}. [default: dry]"),
+        typer.Option(
+            metavar="STATE",
+            help="For Archard's wear coefficients, everywhere: {surfaces}. [default: by the case]",
+        ),
     ] = None,
     theory: Annotated[str | None, typer.Option(metavar="NAME", help=_THEORY_HELP)] = None,
     normal: Annotated[str | None, typer.Option(metavar="NAME", help=_NORMAL_HELP)] = None,
@@ -59,10 +65,11 @@ def damage(
     skip_bad_rows: Annotated[
         bool, typer.Option("--skip-bad-rows", help="Leave out rows that no contact can have; count them.")
     ] = False,
+    unfinished: inputs.Unfinished = False,
 ) -> None:
     """Wear and rolling contact fatigue of a run's wheels, from its contact log: tables and figures.
     \f
-    Ten arguments: each is an option of the command.
+    Eleven arguments: each is an option of the command.
     """
     with output.errors_in_one_line(folder):
         if out_folder is not None:
@@ -70,12 +77,13 @@ def damage(
         inputs.check_range("--distance-km", distance_km, 1e-3, 1e7, "km")
         inputs.check_range("--pressure-limit", pressure_limit, 1.0, 1e5, "MPa")
         options = _options(model, surface, theory, material)
-        options |= {"normal": normal}
+        options |= {"normal": normal, "unfinished": unfinished}
         if pressure_limit is not None:
             options |= {"pressure_limit": 1e6 * pressure_limit}
-        show_damage(
-            inputs.read_run(folder), out_folder or folder / "damage", distance_km, skip_bad_rows, **options
-        )
+        run = inputs.read_run(folder)
+        films = _films(run)
+        options |= {"films": films if surface is None else films.without()}
+        show_damage(run, out_folder or folder / "damage", distance_km, skip_bad_rows, **options)
 
 
 def _options(model: str, surface: str | None, theory: str | None, material: str) -> dict[str, Any]:
@@ -107,8 +115,21 @@ def _assessed(run: "Run", skip_bad_rows: bool = False, **options: Any) -> "Damag
                 **options,
             )
         except ValueError as error:
-            hint = "; --skip-bad-rows leaves them out" if "rows are bad" in str(error) else ""
+            known = "rows are bad" in str(error) or "rows are missing" in str(error)
+            hint = "; --skip-bad-rows leaves them out" if known else ""
             raise inputs.BadInput(f"{run.directory}: {error}{hint}") from None
+
+
+def _films(run: "Run") -> "WearFilms":
+    """The lubricant of a run, by its case; and its wheelsets."""
+    from damage.wear.films import WearFilms
+    from vehicles.stored import from_json
+
+    case = _case(run)
+    described = case.described_vehicle() if run.vehicle_text is None else from_json(run.vehicle_text)
+    table = case.film_table(len(described.wheelsets))
+    units = [wheelset.unit for wheelset in described.wheelsets]
+    return WearFilms(table, tuple(units.count(unit) for unit in described.units))
 
 
 @contextmanager
@@ -167,7 +188,7 @@ def show_damage(
     tables = {"damage.csv": report.to_table()}
     if distance_km is not None:
         tables["distance.csv"] = report.distance_table(1e3 * distance_km)
-    if report.bad_rows.count:
+    if report.bad_rows.faults:
         tables["bad_rows.csv"] = report.bad_rows.to_table()
     figures = _figures(run, report, 1e3 * (FIGURE_DISTANCE if distance_km is None else distance_km))
     folder.mkdir(parents=True, exist_ok=True)
@@ -175,12 +196,12 @@ def show_damage(
         pyarrow.csv.write_csv(table, folder / name)
     for name, figure in figures.items():
         figure.savefig(folder / name, dpi=output.DOTS_PER_INCH)
-    contact = f"normal contact: {report.normal_contact}"
-    output.print_table(_table_of(f"Damage over the whole run, {contact}", tables["damage.csv"], RUN_COLUMNS))
+    whole = f"Damage over the whole run, normal contact: {report.normal_contact}"
+    output.print_table(_table_of(whole + _early(report), tables["damage.csv"], RUN_COLUMNS))
     if distance_km is not None:
-        output.print_table(
-            _table_of(f"Damage after {distance_km:,g} km", tables["distance.csv"], DISTANCE_COLUMNS)
-        )
+        after = f"Damage after {distance_km:,g} km{_early(report)}"
+        output.print_table(_table_of(after, tables["distance.csv"], DISTANCE_COLUMNS))
+    output.print_line(_coefficients(report, run))
     if "corrected_rcf_number_per_km" in tables["damage.csv"].column_names:
         output.print_line("RCF: revolutions beyond shakedown; corrected: less those worn off, after Burstow")
     if report.seized.any():
@@ -189,9 +210,41 @@ def show_damage(
             f"{SEIZED} flange wear under seizure (above {pressure:.0f} MPa, 0.8 of the hardness): the "
             f"unworn profile wears in first; {NOT_EXTRAPOLATED}"
         )
-    if report.bad_rows.count:
+    if report.bad_rows.faults:
         output.print_line(f"left out: {report.bad_rows}")
     output.print_line(f"damage: {folder} ({', '.join([*tables, *figures])})")
+
+
+def _early(report: "DamageReport") -> str:
+    """Of a run that ended early: that and why, for the titles of its tables."""
+    from hh_exudyn.log.ending import FINISHED
+
+    return "" if report.ending in ("", FINISHED) else f" (unfinished run: {report.ending})"
+
+
+def _coefficients(report: "DamageReport", run: "Run") -> str:
+    """What the wear coefficients are for; doubtful where friction is that of a lubricated contact."""
+    law = report.model.law
+    wheels: dict[str, list[str]] = {}
+    for wheel, surface in zip(report.surface.wheels, report.wear_surfaces, strict=True):
+        wheels.setdefault(surface, []).append(_wheel_name(report, wheel))
+    surfaces = "; ".join(
+        text if len(wheels) == 1 else f"{text} ({', '.join(names)})" for text, names in wheels.items()
+    )
+    line = f"wear coefficients of {law.name}: {surfaces}"
+    if set(wheels) != {"dry"}:
+        return line
+    if not _films(run).dry:
+        return f"{line}; doubtful: the case has lubricated zones"
+    friction = report.surface.mean_friction[report.surface.patch_time > 0.0]
+    least = float(friction.min(initial=1.0))
+    return line + (f"; doubtful: friction is down to {least:.2f}" if least < LEAST_DRY_FRICTION else "")
+
+
+def _wheel_name(report: "DamageReport", wheel: "Wheel") -> str:
+    """A wheel as in the tables: "1L", of several vehicles "2.1L"."""
+    several = len({other.vehicle for other in report.surface.wheels}) > 1
+    return f"{f'{wheel.vehicle}.' if several else ''}{wheel.wheelset}{'L' if wheel.side > 0 else 'R'}"
 
 
 def _figures(run: "Run", report: "DamageReport", distance: float) -> "dict[str, Figure]":

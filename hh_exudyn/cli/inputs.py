@@ -1,7 +1,8 @@
 """Input of the commands: common arguments, and the refusal of bad input before any work."""
 
+import os
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -17,6 +18,10 @@ RECORDINGS = ()  # of any suffix
 RunFolder = Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")]
 CaseFile = Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file.")]
 NewFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="New or empty folder for the run.")]
+Unfinished = Annotated[
+    bool,
+    typer.Option("--unfinished", help="Take the log of a run that derailed, diverged or was interrupted."),
+]
 # of an elliptic patch
 SemiAxisAlong = Annotated[
     float, typer.Option(metavar="mm", help="Semi-axis of the patch in rolling direction.")
@@ -64,13 +69,24 @@ def check_patch(
 
 
 def require_new_folder(folder: Path) -> None:
-    """Raise `BadInput` for a folder that is not empty."""
+    """Raise `BadInput` for a folder that is not empty, or cannot be made; it is not made."""
+    made: list[Path] = []
     try:
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             kind = "is not empty" if folder.is_dir() else "is a file"
             raise BadInput(f"--out {folder}: {kind}, allowed is a new or an empty folder")
+        for path in (*reversed(folder.parents), folder):
+            if not path.is_dir():
+                path.mkdir()
+                made.append(path)
+        if not os.access(folder, os.W_OK | os.X_OK):
+            raise BadInput(f"--out {folder}: cannot be written to, allowed is a new or an empty folder")
     except OSError as error:
         raise BadInput(f"--out {folder}: {error.strerror}") from None
+    finally:
+        for path in reversed(made):
+            with suppress(OSError):  # another process has begun to use it
+                path.rmdir()
 
 
 def require_new_file(path: Path | None, option: str, suffixes: Sequence[str]) -> None:
@@ -96,10 +112,16 @@ def require_new_file(path: Path | None, option: str, suffixes: Sequence[str]) ->
         raise BadInput(
             f"{option} {path}: allowed {'is' if len(suffixes) == 1 else 'are'} {', '.join(suffixes)}"
         )
-    if path.exists():
+    try:
+        there = path.exists() or path.is_symlink()
+    except OSError as error:
+        raise BadInput(f"{option} {path}: {error.strerror}") from None
+    if there:
         raise BadInput(f"{option} {path}: exists already, allowed is a new file")
     if not path.parent.is_dir():
         raise BadInput(f"{option} {path}: there is no folder {path.parent}")
+    if not os.access(path.parent, os.W_OK | os.X_OK):
+        raise BadInput(f"{option} {path}: its folder cannot be written to")
 
 
 def read_run(folder: Path) -> "Run":

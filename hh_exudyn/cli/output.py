@@ -1,5 +1,6 @@
 """Output of the commands: lines, tables that fit the terminal, files, errors in one line with exit code."""
 
+import errno
 import math
 import tempfile
 import traceback
@@ -11,7 +12,6 @@ from typing import TYPE_CHECKING, NoReturn
 import typer
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
-from rich.markup import escape
 from rich.status import Status
 from rich.table import Table
 
@@ -26,8 +26,10 @@ NOTHING = "–"  # in a table, for a missing number
 DOTS_PER_INCH = 150  # of figures
 TABLE_WIDTH = 120  # largest width of a table in a file or a pipe
 
-out = Console(soft_wrap=True, highlight=False)
-err = Console(stderr=True, soft_wrap=True, highlight=False)
+# names and paths are anybody's: "[/b]" and ":x:" are text, never markup or emoji
+out = Console(soft_wrap=True, highlight=False, markup=False, emoji=False)
+err = Console(stderr=True, soft_wrap=True, highlight=False, markup=False, emoji=False)
+_FAULTY_MACHINE = {errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.ENOMEM, errno.EMFILE, errno.ENFILE}
 
 
 @contextmanager
@@ -52,8 +54,16 @@ def errors_in_one_line(folder: Path | None = None) -> Iterator[None]:
 
         if isinstance(error, CaseError):
             fail(BAD_INPUT, str(error))
+        if isinstance(error, OSError) and error.errno not in _FAULTY_MACHINE:
+            fail(BAD_INPUT, _file_fault(error))  # a file or folder of the user: missing, read-only, a loop
         reason = " ".join(str(error).split()) or "no message"
         fail(FAULT, f"{type(error).__name__}: {reason}; traceback in {_written_traceback(folder)}")
+
+
+def _file_fault(error: OSError) -> str:
+    """What is wrong with which file, in one line."""
+    text = " ".join(str(error).split())
+    return f"{error.filename}: {error.strerror}" if error.filename and error.strerror else text
 
 
 def log_place(folder: Path | None) -> str:
@@ -78,13 +88,13 @@ def _written_traceback(folder: Path | None) -> Path:
 
 def fail(code: int, message: str) -> NoReturn:
     """End the command with one line on stderr."""
-    err.print(f"hh-exudyn: {message}", markup=False)
+    err.print(f"hh-exudyn: {message}")
     raise typer.Exit(code)
 
 
 def print_line(text: str) -> None:
     """One or more lines on stdout, as they are."""
-    out.print(text, markup=False)
+    out.print(text)
 
 
 def status(text: str) -> Status:
@@ -96,13 +106,13 @@ def new_table(title: str, headings: tuple[str, ...]) -> Table:
     """An empty table for 80 columns, with one word of a heading per line."""
     table = Table(title=title, box=SIMPLE_HEAD, pad_edge=False)
     for heading in headings:
-        table.add_column(escape(heading.replace(" ", "\n")), justify="right", no_wrap=True)
+        table.add_column(heading.replace(" ", "\n"), justify="right", no_wrap=True)
     return table
 
 
 def print_table(table: Table) -> None:
     """Print the title in its own line, and the columns in full width also into a file or a narrow pipe."""
-    wide = out if out.is_terminal else Console(width=TABLE_WIDTH)
+    wide = out if out.is_terminal else Console(width=TABLE_WIDTH, markup=False, emoji=False)
     print_line(str(table.title))
     table.title = None  # rich would break it at the table's width
     wide.print(table)

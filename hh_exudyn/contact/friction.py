@@ -13,6 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import inlined_kernel
 
+FILMS = ("dry", "lubricated", "greased")
+"""Films of lubricant on a surface: in a table of films, their numbers stand in place of the coefficients."""
+
 
 class FrictionTable(NamedTuple):
     """Friction of a run, for the kernel. Angles in rad, lengths in m.

@@ -3,6 +3,7 @@
 ==============  ======================================================================================
 `channels`      the one table of all columns: name, source, unit, meaning
 `recorder`      writes the logs: rows buffered in numpy, to disk in parts
+`ending`        how a run ended: results of one cut short need consent
 `store`         a run on disk, and reading it back
 `wheel_forces`  Q and Y of every wheel over time
 ==============  ======================================================================================

@@ -135,6 +135,8 @@ class Run:
             missing = [name for name in wanted if name not in there]
             if missing:
                 raise ValueError(f"{part} has no column {', '.join(missing)}; it has {', '.join(there)}")
+            if double := [name for name in wanted if there.count(name) > 1]:
+                raise ValueError(f"{part} has the column {', '.join(double)} more than once")
         return parts, wanted
 
 

@@ -14,7 +14,18 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.log.store import Run
 from hh_exudyn.signals import low_pass
 
-_COLUMNS = ("time", "s", "vehicle", "wheelset", "side", "patch", "Q", "Y")
+_POSSIBLE = {  # columns: least and largest value, unit; beyond them it is no wheel on a rail
+    "time": (0.0, 1e7, " s"),
+    "s": (-1e6, 1e8, " m"),
+    "vehicle": (1, 1000, ""),
+    "wheelset": (1, 64, ""),
+    "side": (-1, 1, ""),
+    "patch": (0, 64, ""),
+    "Q": (-1e7, 1e7, " N"),
+    "Y": (-1e7, 1e7, " N"),
+}
+_WHOLE = ("vehicle", "wheelset", "side", "patch")
+_COLUMNS = tuple(_POSSIBLE)
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,10 +127,12 @@ def wheel_forces(run: Run, vehicle: int = 1) -> WheelForces:
     Raises
     ------
     FileNotFoundError, ValueError
-        The run has no contact log; fewer than two output times; no such vehicle.
+        The run has no contact log; fewer than two output times; no such vehicle; values that are not finite
+        or of no wheel, or a wheel with two rows at one time.
     """
     table = run.read("contact", _COLUMNS)
     rows = {name: np.asarray(table[name], dtype=np.float64) for name in _COLUMNS}
+    _require_possible(run, rows)
     mine = (rows["vehicle"] == vehicle) & (rows["patch"] == 0)
     if not mine.any():
         known = sorted({int(number) for number in rows["vehicle"]})
@@ -131,6 +144,13 @@ def wheel_forces(run: Run, vehicle: int = 1) -> WheelForces:
     wheelset = rows["wheelset"][mine].astype(int) - 1
     side = (rows["side"][mine] < 0).astype(int)
     shape = (time.size, int(wheelset.max()) + 1, 2)
+    wheels = np.column_stack([at, wheelset, side])
+    if len(np.unique(wheels, axis=0)) < len(wheels):
+        _, count = np.unique(wheels, axis=0, return_counts=True)
+        raise ValueError(
+            f"{run.directory}: contact log: {int(count.sum() - count.size)} rows are there twice: a wheel "
+            "has one row at an output time"
+        )
     forces = {}
     for name in ("Q", "Y"):
         forces[name] = np.zeros(shape)
@@ -140,3 +160,18 @@ def wheel_forces(run: Run, vehicle: int = 1) -> WheelForces:
         own = wheelset == number
         s[:, number] = np.interp(time, rows["time"][mine][own], rows["s"][mine][own])
     return WheelForces(time, s, forces["Q"], forces["Y"])
+
+
+def _require_possible(run: Run, rows: dict[str, FloatArray]) -> None:
+    """Raise ValueError for the first value that no wheel can have."""
+    for name, values in rows.items():
+        low, high, unit = _POSSIBLE[name]
+        wrong = ~((values >= low) & (values <= high))  # NaN too
+        if name in _WHOLE:
+            wrong |= values != np.rint(values)
+        if wrong.any():
+            first = int(np.argmax(wrong))
+            raise ValueError(
+                f"{run.directory}: contact log: {name} = {values[first]:g}{unit} at time = "
+                f"{rows['time'][first]:g} s: allowed {low:g} to {high:g}{unit} ({int(wrong.sum())} such rows)"
+            )

@@ -15,6 +15,7 @@
 `control`       controllers in the loop: driver and steering of a vehicle with drives
 `watch`         derailment, divergence, a step too large: reasons to stop a run
 `chatter`       wheels whose contact jumps from place to place, counted in windows
+`climb`         wheels that rise from their rail, or run on the flange alone
 `interruption`  Ctrl-C while Exudyn integrates
 `recording`     rows of the logs
 `simulate`      `simulate(case, directory)`

@@ -15,6 +15,7 @@ from exudyn.itemInterface import (
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case import Case
+from hh_exudyn.case.irregular import require_possible_track
 from hh_exudyn.multibody.couplings.dispatch import FAMILIES
 from hh_exudyn.multibody.couplings.family import packed
 from hh_exudyn.multibody.model import (
@@ -114,6 +115,7 @@ def _irregularity(vehicle: Vehicle, case: Case, alignment: Alignment) -> Irregul
     if irregular is None:
         return smooth_track()
     irregular.check_spacing(case.speed, case.integration.step_ms * 1e-3)
+    require_possible_track(case, alignment, irregular)
     return irregular.table()
 
 

@@ -16,7 +16,6 @@ from hh_exudyn.kernel import Bundle
 from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.log.store import Run, open_run, write_case, write_status, write_vehicle
 from hh_exudyn.multibody.assembly import assemble, explicit_settings, exudyn_system
-from hh_exudyn.multibody.chatter import chattering_wheels
 from hh_exudyn.multibody.control import VehicleControl, vehicle_control
 from hh_exudyn.multibody.equilibrium import Equilibrium, equilibrium
 from hh_exudyn.multibody.interruption import Interruption
@@ -24,7 +23,7 @@ from hh_exudyn.multibody.linear.stability import require_stable_step
 from hh_exudyn.multibody.model import SystemModel, Workspace, workspace
 from hh_exudyn.multibody.recording import LogWriter
 from hh_exudyn.multibody.system import evaluate_bundle
-from hh_exudyn.multibody.watch import REASONS, Trouble, look_bundle, watch_state
+from hh_exudyn.multibody.watch import REASONS, Trouble, look_bundle, watch_state, watched
 from vehicles.description import Vehicle
 from vehicles.stored import to_json
 
@@ -113,11 +112,7 @@ def simulate(
             status["reason"] = str(error)
             raise
         finally:
-            status.update(
-                integration.times,
-                floored_curvatures=integration.floored,
-                chatter=integration.chatter,
-            )
+            status.update(integration.times, **integration.watched)
             write_status(directory, status)
     return open_run(directory)
 
@@ -242,14 +237,9 @@ class _Integration:
         return result
 
     @property
-    def floored(self) -> int:
-        """Number of contact states, one per step and patch, with lateral curvature at its floor."""
-        return int(self._watch.floored.sum())
-
-    @property
-    def chatter(self) -> list[dict[str, Any]]:
-        """Wheels whose contact jumps (`chatter.chattering_wheels`)."""
-        return chattering_wheels(self._watch.chatter)
+    def watched(self) -> dict[str, Any]:
+        """Floored curvatures, chatter and climbing wheels (`watch.watched`)."""
+        return watched(self._watch)
 
     def _commit(self, time: float, v: FloatArray, status: int) -> bool:
         """Commit the sliders of the accepted state, check it, log it, and call the controllers.

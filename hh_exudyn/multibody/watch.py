@@ -1,8 +1,11 @@
-"""Reasons to stop a run, checked in every accepted state: derailment, divergence, a step too large."""
+"""Reasons to stop a run, checked in every accepted state: derailment, divergence, a step too large.
+
+Wheels are judged against their rails: a track that lies beside its design line is no derailment.
+"""
 
 import math
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -10,13 +13,14 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.state import Patch
 from hh_exudyn.contact.types import SplineTable
 from hh_exudyn.kernel import Bundle, allocating_kernel, kernel
-from hh_exudyn.multibody.chatter import ChatterState, chatter_state, count_chatter
+from hh_exudyn.multibody.chatter import ChatterState, chatter_state, chattering_wheels, count_chatter
+from hh_exudyn.multibody.climb import ClimbState, climb_state, climbing_wheels, see_climb
 from hh_exudyn.multibody.model import SystemModel, Workspace
 
 LIFT_OFF_TIME = 0.1  # s without contact of a wheel that counts as a derailment
 FLANGE_TIP_MARGIN = 3e-3  # m above the flange tip: a contact so deep means that the flange climbs the rail
 FLANGE_FROM = 0.02  # m towards the track centre on the wheel profile; the flange lies beyond
-LARGEST_LATERAL = 0.08  # m of a wheelset from the track centre: the wheel is off the rail
+LARGEST_LATERAL = 0.08  # m of a wheelset from the middle of both rails: the wheel is off the rail
 LARGEST_SPEED = 10.0  # m/s of a wheelset, lateral or vertical: more than in any derailment, so divergence
 SMALLEST_ALTERNATION = 1e-3  # of the vertical force; smaller alternations of the lateral force are ignored
 ALTERNATIONS = 40  # sign changes in a row of the lateral force's increment: the integration is unstable
@@ -59,6 +63,8 @@ class WatchState(NamedTuple):
     alternations: FloatArray  # changes of opposite sign in a row
     floored: FloatArray  # number of patches so far with lateral curvature at its floor
     chatter: ChatterState
+    climb: ClimbState
+    states: FloatArray  # (1,) number of accepted states
     flange_limit: FloatArray  # (2,) y on the wheel profile beyond which a contact is on the flange tip [m]
 
 
@@ -78,6 +84,8 @@ def watch_state(model: SystemModel) -> WatchState:
         alternations=np.zeros(shape),
         floored=np.zeros(shape),
         chatter=chatter_state(len(model.wheelsets)),
+        climb=climb_state(len(model.wheelsets)),
+        states=np.zeros(1),
         flange_limit=np.array([_flange_limit(wheel) for wheel in wheels]),
     )
 
@@ -109,7 +117,8 @@ def look(work: Workspace, state: WatchState, step: float) -> tuple[Trouble, int,
     for w in range(state.airborne.shape[0]):
         if max(abs(work.frame_velocity[w, 1]), abs(work.frame_velocity[w, 2])) > LARGEST_SPEED:
             return Trouble.RUNAWAY, w, 0
-        lateral = work.frame_position[w, 1]
+        middle = 0.5 * (work.rail_position[w, 0, 0] + work.rail_position[w, 1, 0])
+        lateral = work.frame_position[w, 1] - middle
         if abs(lateral) > LARGEST_LATERAL:
             return Trouble.OFF_TRACK, w, 0 if lateral > 0.0 else 1
         for side in range(2):
@@ -136,6 +145,8 @@ def look(work: Workspace, state: WatchState, step: float) -> tuple[Trouble, int,
             state.lateral_force[w, side] += change
             state.change[w, side] = change
     count_chatter(work, state.chatter, step)
+    see_climb(work, state.climb, step)
+    state.states[0] += 1.0
     return Trouble.NONE, -1, -1
 
 
@@ -149,3 +160,28 @@ def look_bundle(bundle: Bundle, step: float) -> tuple[Trouble, int, int]:
     step : as for `look`
     """
     return look(bundle.model, bundle.work, step)
+
+
+def watched(state: WatchState) -> dict[str, Any]:
+    """What the watch has seen, for the status of a run: doubtful wheels, and all wheels in `watch`.
+
+    Parameters
+    ----------
+    state : at the end of the run
+    """
+    climb, chatter, states = state.climb, state.chatter, max(float(state.states[0]), 1.0)
+    return {
+        "floored_curvatures": int(state.floored.sum()),
+        "chatter": chattering_wheels(chatter),
+        "wheel_climb": climbing_wheels(climb),
+        "watch": [
+            {
+                "wheel": f"{w + 1}{'LR'[side]}",
+                "lift_mm": round(1e3 * float(climb.lift[w, side]), 3),
+                "flange_alone_m": round(float(climb.longest[w, side]), 2),
+                "changes_per_s": round(float(chatter.changes[w, side]), 1),
+                "floored_share": round(float(state.floored[w, side]) / states, 4),
+            }
+            for w, side in np.ndindex(state.floored.shape)
+        ],
+    }

@@ -134,7 +134,7 @@ def test_what_cannot_be_assessed_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"output interval is 20 ms, allowed are up to 10 ms"):
         standard_assessment(quiet(tmp_path / "coarse", interval=0.02))
     run = quiet(tmp_path / "short", end=170.0)
-    with pytest.raises(ValueError, match=r"test section: straight 161\.\d of 250 m"):
+    with pytest.raises(ValueError, match=r"straight from 4\.\d to 165\.\d m, 161\.\d of 250 m"):
         standard_assessment(run)
     assert len(standard_assessment(run, section_length=40.0).sections) == 4
     with pytest.raises(ValueError, match="vehicle 2 is not in the contact log"):

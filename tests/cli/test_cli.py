@@ -13,7 +13,7 @@ from typer.testing import CliRunner, Result
 from hh_exudyn import __version__
 from hh_exudyn.case import Case, read_case
 from hh_exudyn.cli.app import app
-from hh_exudyn.log.store import Recorder, open_run
+from hh_exudyn.log.store import Recorder, open_run, write_status
 
 DEMO = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text(encoding="utf-8")
 SHORT = Case.from_toml(DEMO).with_changes(
@@ -29,7 +29,7 @@ def call(*words: str | Path) -> Result:
 
 def command(*words: str | Path, code: str = "") -> subprocess.CompletedProcess[str]:
     """The command in a process of its own, away from the checkout; `code` runs before it."""
-    start = ["-c", f"{code}\nfrom hh_exudyn.cli.app import main\nmain()"] if code else ["-m", "hh_exudyn"]
+    start = ["-c", f"{code}\nfrom hh_exudyn.__main__ import main\nmain()"] if code else ["-m", "hh_exudyn"]
     return subprocess.run(
         [sys.executable, *start, *(str(word) for word in words)],
         capture_output=True, text=True, cwd="/", env=os.environ | {"COLUMNS": "200"},
@@ -164,10 +164,15 @@ def test_run_prints_recording_and_table(done: tuple[Path, subprocess.CompletedPr
         assert unit in result.stdout
     assert "…" not in result.stdout  # nothing cut off
     assert max(map(len, result.stdout.splitlines()[1:])) <= 80
-    rows = re.findall(r"^ +([1-4][LR]) +(\d+\.\d) ", result.stdout, flags=re.MULTILINE)
+    means, watch = result.stdout.split("Watch over the whole run")
+    rows = re.findall(r"^ +([1-4][LR]) +(\d+\.\d) ", means, flags=re.MULTILINE)
     assert [wheel for wheel, _ in rows] == [f"{w}{side}" for w in "1234" for side in "LR"]
     # 30 t axle load on straight track: 8 wheels carry 4 * 30 t * 9.81 m/s2 = 1177 kN in the mean
     assert sum(float(force) for _, force in rows) == pytest.approx(1177, rel=0.01)
+    # smooth straight track: nothing lifts by a millimetre, runs on its flange, jumps, or seizes
+    seen = re.findall(r"^ +[1-4][LR] +0\.\d\d +0\.0 +\d +0\.0 +0\.0 *$", watch, flags=re.MULTILINE)
+    assert len(seen) == 8
+    assert "doubtful" not in watch
 
 
 def test_case_is_kept_with_the_run(done: tuple[Path, subprocess.CompletedProcess[str]]) -> None:
@@ -243,6 +248,7 @@ def test_bad_rows_are_refused_or_left_out(
     columns["force_y"][7] = 1e9
     with Recorder(tmp_path / "bad", {"case": (done[0] / "case.toml").read_text()}) as recorder:
         recorder.append("contact", columns)
+    write_status(tmp_path / "bad", {"finished": True})
     result = call("damage", tmp_path / "bad", "--out", tmp_path / "out")
     assert result.exit_code == 2
     message = one_line(result.stderr)

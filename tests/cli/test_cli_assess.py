@@ -11,7 +11,7 @@ import pytest
 from made_up_run import made_up_run
 
 from hh_exudyn.assessment.report import standard_assessment
-from hh_exudyn.log.store import Run
+from hh_exudyn.log.store import Run, write_status
 
 call = partial(command_line.call, "assess")
 
@@ -36,6 +36,18 @@ def test_tables_and_files(run: Run, tmp_path: Path) -> None:
     assert "the axle load is above the 25 t" in text
     assert pyarrow.csv.read_csv(tmp_path / "all.csv").num_rows == len(standard_assessment(run).findings)
     assert (tmp_path / "sheet.png").stat().st_size > 10_000
+
+
+def test_a_run_that_ended_early_is_named_over_every_table(tmp_path: Path) -> None:
+    run = made_up_run(tmp_path / "run", lambda w, side, t: 1e5 + 0 * t, lambda w, side, t: 0 * t)
+    write_status(run.directory, {"finished": False, "reason": "interrupted"})
+    refused = call(run.directory)
+    assert refused.exit_code == 2
+    assert "the run is not finished: interrupted; --unfinished takes its log so far" in refused.stderr
+    shown = call(run.directory, "--unfinished")
+    assert shown.exit_code == 0, shown.stderr
+    assert shown.stdout.count("(unfinished run: interrupted)") == 2
+    assert "not assessed: transition from 300.0 to 390.0 m, covered for " in shown.stdout
 
 
 def test_refusals(run: Run, tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ from damage.surface.accumulate import accumulate
 from damage.surface.lateral_grid import LateralGrid
 from damage.surface.wheel_surface import Wheel, WheelSurface
 from hh_exudyn.contact.profile import wheel_profile
-from hh_exudyn.log.store import Recorder, open_run
+from hh_exudyn.log.store import Recorder, open_run, write_status
 
 CELLS = (10, 10)
 
@@ -67,6 +67,9 @@ def test_run_directory_and_table_agree(
 ) -> None:
     with Recorder(tmp_path / "run", {"case": ""}, rows_per_part=50) as recorder:
         recorder.append("contact", {name: random_log[name].to_numpy() for name in random_log.column_names})
+    with pytest.raises(ValueError, match=r"run is not finished: no status\.json"):
+        assess(tmp_path / "run", cells=CELLS)
+    write_status(tmp_path / "run", {"finished": True})
     equal(report.surface, assess(open_run(tmp_path / "run"), cells=CELLS).surface)
     equal(report.surface, assess(str(tmp_path / "run"), cells=CELLS).surface)
 

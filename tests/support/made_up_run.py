@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 
 from hh_exudyn.case import Case
 from hh_exudyn.log.channels import LOGS
-from hh_exudyn.log.store import Recorder, Run, open_run, write_case
+from hh_exudyn.log.store import Recorder, Run, open_run, write_case, write_status
 from vehicles.catalogue import vehicle
 
 Wave = Callable[[np.ndarray], np.ndarray]
@@ -80,4 +80,5 @@ def made_up_run(
             zeros = [column.name for column in LOGS["motion"]]
             rows.append(np.column_stack([np.broadcast_to(given.get(n, 0.0), time.shape) for n in zeros]))
         recorder.append_rows("motion", np.concatenate(rows))
+    write_status(directory, {"finished": True, "reason": "finished"})
     return open_run(directory)

@@ -92,7 +92,7 @@ FAULTS = {  # contents of the file: what the one line says
     'base = "iore_wagon_loaded"\nwedge.colour = 1': ["unknown parameter wedge.colour", "wedge.slope"],
     'base = "iore_wagon_loaded"\nzzz.qqq = 0.3': ["zzz.qqq", "its parts are wagon, wheelset"],
     'base = "iore_wagon_loaded"\nwedge = 0.3': ["wedge = 0.3", "unknown key"],
-    'base = "iore_wagon_loaded"\nwedge.slope = { value = 0.6, unit = "rad" }': ['in "rad": allowed "deg"'],
+    'base = "iore_wagon_loaded"\nwedge.slope = { value = 0.6, unit = "m" }': ['in "m": allowed "deg", "rad"'],
     'base = "iore_wagon_loaded"\nwedge.slope = { unit = "deg" }': ["wedge.slope", "value, unit and source"],
     'base = "iore_wagon_loaded"\nwedge.slope = { value = 36, note = "" }': ["value, unit and source"],
     'base = "iore_wagon_loaded"\nwedge.slope = { value = 36, source = "told" }': ["'told'", "published"],
@@ -100,10 +100,17 @@ FAULTS = {  # contents of the file: what the one line says
     'base = "iore_wagon_loaded"\nwedge.friction = true': ["wedge.friction = True", "finite number"],
     'base = "iore_wagon_loaded"\nwedge.friction = nan': ["wedge.friction = nan", "finite number"],
     'base = "iore_wagon_loaded"\nwedge.friction = 0.9': ["wedge_1L_front jams", "0.9"],
-    'base = "iore_wagon_loaded"\nwedge.friction = -0.1': ["friction = -0.1 must be >= 0"],
-    'base = "iore_wagon_loaded"\naxle_box_pad.lateral_stiffness = -1.0': ["wheelset_1", "stiffness", "-1"],
-    'base = "iore_wagon_loaded"\nside_frame.mass = 0': ["body side_frame_1L: mass 0.0 kg"],
-    'base = "iore_wagon_loaded"\nwagon.payload = 3e5': ["payload of bad is 300000 kg", "0..102000 kg"],
+    'base = "iore_wagon_loaded"\nwedge.friction = -0.1': [
+        "wedge.friction = -0.1 is no plausible friction: allowed 0 to 1"
+    ],
+    'base = "iore_wagon_loaded"\naxle_box_pad.lateral_stiffness = -1.0': [
+        "axle_box_pad.lateral_stiffness = -1 N/m",
+        "10000 to 1e+10 N/m",
+    ],
+    'base = "iore_wagon_loaded"\nside_frame.mass = 0': [
+        "side_frame.mass = 0 kg is no plausible mass: allowed 5 to 500000 kg"
+    ],
+    'base = "iore_wagon_loaded"\nwagon.payload = 1.5e5': ["payload of bad is 150000 kg", "0..102000 kg"],
     'base = "no.toml"': ["no.toml: cannot be read"],
     'base = "bad.toml"': ["its base leads back to itself: bad.toml -> bad.toml"],
     'base = "other.toml"': ["bad.toml -> other.toml -> bad.toml"],

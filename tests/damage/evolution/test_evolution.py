@@ -2,13 +2,14 @@
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from scanned_wheel import scan_of_hollow_wheel
 
-from damage.evolution.history import WearHistory, read_history
+from damage.evolution.history import WearHistory, read_history, write_step
 from damage.evolution.loop import StepControl, evolve
 from damage.evolution.measures import ConicityTrack, measure
 from damage.evolution.profile_wear import ProfileWear
@@ -211,3 +212,36 @@ def test_conicity_is_that_of_the_track() -> None:
     for gauge in (1.435, 1.445):
         track = ConicityTrack(gauge=gauge, amplitude=2e-3)
         assert measure(wheel, RADIUS, track).conicity == pytest.approx(0.05, rel=1e-3)
+
+
+def test_a_distance_below_what_the_folder_holds_is_the_state_there(tmp_path: Path) -> None:
+    """As a life that ends there; it once was the wheel at 0 km. The folder stays as it is."""
+    wear = even(60e-9)
+    whole = evolve(WP4, RADIUS, wear, 4000e3, tmp_path / "life")
+    files = sorted(path.name for path in (tmp_path / "life").iterdir())
+    for distance in (0.0, 700e3, 1500e3, 2500e3):
+        again = evolve(WP4, RADIUS, wear, distance, tmp_path / "life")
+        alone = evolve(WP4, RADIUS, wear, distance, tmp_path / f"{distance:g}")
+        assert again.last.distance == pytest.approx(distance)
+        assert len(again.steps) == len(alone.steps)
+        np.testing.assert_array_equal(again.last.profile.z, alone.last.profile.z)
+        assert again.last.measures == alone.last.measures
+    assert sorted(path.name for path in (tmp_path / "life").iterdir()) == files
+    assert read_history(tmp_path / "life").last.distance == whole.last.distance
+
+
+@pytest.mark.parametrize("distance", [math.nan, math.inf, -1.0])
+def test_a_distance_that_is_none_is_refused(tmp_path: Path, distance: float) -> None:
+    with pytest.raises(ValueError, match=r"distance = .* m must be finite and >= 0 m"):
+        evolve(WP4, RADIUS, even(1e-9), distance, tmp_path / "life")
+    assert not (tmp_path / "life").exists()
+
+
+@pytest.mark.parametrize("distance", [math.nan, math.inf, 1000.0])
+def test_a_folder_whose_distances_do_not_increase_is_refused(tmp_path: Path, distance: float) -> None:
+    history = evolve(WP4, RADIUS, even(60e-9), 4000e3, tmp_path)
+    write_step(tmp_path, 2, replace(history.steps[2], distance=distance))
+    with pytest.raises(
+        ValueError, match=r"step-00002.npz: distance = .* must be finite and above 1.5e\+06 m"
+    ):
+        evolve(WP4, RADIUS, even(60e-9), 5000e3, tmp_path)

@@ -60,6 +60,7 @@ def test_shares_of_tread_and_flange(make_log: Callable[..., pyarrow.Table]) -> N
     limit = ER7.shear_yield * np.pi * a * b / 1.5 / load  # k/p0
     log = make_log(
         time=np.array([0.0, 0.1, 0.2, 0.3, 0.3]),
+        patch=np.array([0, 0, 0, 0, 1]),
         contact_angle=np.array([0.05, 0.05, 0.05, 0.05, 1.0]),
         y_wheel=np.array([0.0, 0.0, 0.0, 0.0, 0.036]),
         force_x=load * np.array([limit + 0.1, limit - 0.1, limit + 0.1, 0.0, limit + 0.3]),

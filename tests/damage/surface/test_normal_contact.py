@@ -190,7 +190,8 @@ def test_seizure_on_the_flange_is_marked(
     (row,) = report.to_table().to_pylist()
     seized = report.surface.pressure_by_part[0, FLANGE] > report.model.seizure_pressure
     assert seized
-    assert report.model.seizure_pressure == pytest.approx(0.8 * 2.65e9, rel=0.02)
+    # of the steel: 235 HB of ER7; it was 0.8 x 2.65 GPa while Archard's law had a hardness of its own
+    assert report.model.seizure_pressure == pytest.approx(0.8 * 235 * 9.80665e6, rel=1e-9)
     assert row["flange_wear_note"] == NOT_EXTRAPOLATED
     assert row["normal_contact"] == "strips"
     assert report.distance_table(1e6).to_pylist()[0]["flange_wear_note"] == NOT_EXTRAPOLATED

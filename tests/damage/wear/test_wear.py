@@ -15,7 +15,7 @@ from damage.wear.archard import archard
 from damage.wear.jendel import JENDEL_REGIMES, JendelMap, wear_coefficient, wear_regime
 
 MakeLog = Callable[..., pyarrow.Table]
-DRY = JendelMap()
+DRY = JendelMap(hardness=2.65e9)
 A, B, LOAD, RADIUS = 8e-3, 6e-3, 100e3, 0.46
 SLIDING = {"a": A, "b": B, "normal_force": LOAD, "rolling_radius": RADIUS, "nu_x": 0.06, "speed": 15.0}
 
