@@ -19,7 +19,8 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile, gauge_point
-from hh_exudyn.contact.profiles.spline import MAX_SLOPE, spline_evaluate, spline_table, uniform_table
+from hh_exudyn.contact.profiles.spline import spline_evaluate, spline_table, uniform_table
+from hh_exudyn.contact.profiles.steepness import MAX_SLOPE
 from hh_exudyn.contact.types import RailTables, SplineTable
 from hh_exudyn.kernel import inlined_kernel, kernel
 

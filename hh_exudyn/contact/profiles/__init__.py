@@ -19,6 +19,7 @@
 `smoothing`    the rule by which a measured profile is smoothed
 `writer`       two columns, or text like MiniProf's
 `measures`     flange height, thickness, qR and angle; rail head wear
+`steepness`    steep spots that a table must not end at
 `spline`       a profile as a spline table for kernels
 =============  ======================================================================================
 """
