@@ -49,8 +49,6 @@ def read_bytes(path: str | Path, largest: int = LARGEST) -> bytes:
                 if is_kind(mode):
                     raise ValueError(f"{path}: is {name}, allowed is a file")
             data = file.read(largest + 1)
-    except FileNotFoundError:
-        raise ValueError(f"{path}: file not found") from None
     except IsADirectoryError:
         raise ValueError(f"{path}: is a folder, allowed is a file") from None
     except OSError as error:

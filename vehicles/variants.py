@@ -12,13 +12,14 @@ are merged onto the vehicle of the catalogue at the end of the chain, so a `Vari
 files. Bad files raise ValueError of one line that begins with the file.
 """
 
-import tomllib
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from hh_exudyn.sourced import VARIANT, Difference, Parameter, ParameterSet, differences, made
+from hh_exudyn.text_files import read_toml
 from vehicles.catalogue import catalogued
 from vehicles.description import Vehicle
 
@@ -120,16 +121,11 @@ def variant_of_table(table: Mapping[str, Any], source: str) -> Variant:
 
 def _read(path: Path, above: tuple[Path, ...]) -> Variant:
     """The variant in a file that the files `above` are based on."""
-    place = path.resolve()
+    place = Path(os.path.realpath(path))
     if place in above:
         chain = " -> ".join(file.name for file in (*above[above.index(place) :], place))
         raise ValueError(f"{path}: its base leads back to itself: {chain}")
-    try:
-        table = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
-    except OSError as error:
-        raise ValueError(f"{path}: cannot be read: {error.strerror}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ValueError(f"{path}: not valid TOML: {error}") from None
+    table = read_toml(path)
     try:
         return _variant({"name": path.stem, **table}, path.name, path.parent, (*above, place))
     except ValueError as error:

@@ -83,6 +83,8 @@ def _locate(
         if tagged and len(inner) > 1:  # the kind of a section stands in pydantic's path, not in the file
             inner, field = tagged, None
             continue
+        if not inner:  # a form of a value with several, such as a text or a number
+            break
         owner = inner[0]
         key += f".{part}" if key else part
         field = owner.model_fields.get(part)

@@ -1,5 +1,6 @@
 """Basis of the tables of a case file: strictness, numbers with unit and range, paths."""
 
+import os
 from pathlib import Path
 from typing import Any
 
@@ -48,4 +49,4 @@ def from_folder(table: Any, folder: Path, *keys: str) -> None:
     for key in keys:
         name = table.get(key) if isinstance(table, dict) else None
         if isinstance(name, str) and name:
-            table[key] = str((folder / name).resolve())
+            table[key] = os.path.realpath(folder / name)

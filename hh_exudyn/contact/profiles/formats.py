@@ -8,6 +8,7 @@ Each format has its own axes, in which the points are read; `reader` converts th
 * MiniProf, with keys or with the older headers: `miniprof`.
 """
 
+import os
 from pathlib import Path
 
 from hh_exudyn.contact.profiles import simpack, vampire
@@ -36,6 +37,8 @@ def read_points(path: Path, side: str | None = None) -> RawPoints:
         A missing, empty, binary, too large or truncated file, or a line of another form; the message names
         file, line and the expected form.
     """
+    if not os.path.lexists(path):
+        raise ValueError(f"profile {path}: file not found")
     try:
         text = read_text(path, _MAX_BYTES).splitlines()
     except ValueError as error:
