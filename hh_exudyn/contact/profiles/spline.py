@@ -18,6 +18,7 @@ from hh_exudyn.kernel import inlined_kernel
 
 _RESAMPLING_STEP = 20e-6  # m, of the dense curve that is smoothed
 _RUN_OUT = 0.75e-3  # m, beyond `MAX_SLOPE` on a rail: some nodes
+_LAST = 1.0 + 1e-12  # the last node itself, whose place over the spacing may round up
 _MIN_STEP, _MAX_STEP = 0.05e-3, 2e-3  # m
 _MAX_SMOOTHING = 5e-3  # m
 
@@ -121,7 +122,7 @@ def spline_evaluate(table: SplineTable, y: float) -> tuple[float, float, float]:
     """
     u = (y - table.start) * table.per_step
     last = table.z.size - 1
-    if not (u >= 0.0 and u <= last):
+    if not (u >= 0.0 and u <= last * _LAST):
         return math.nan, math.nan, math.nan
     i = np.uint64(min(u, last - 1.0))
     return spline_behind_node(table, i, u - i)
