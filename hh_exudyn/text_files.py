@@ -78,7 +78,7 @@ def read_text(path: str | Path, largest: int = LARGEST) -> str:
         As `read_bytes`; an empty file, or one with null characters (binary).
     """
     data = read_bytes(path, largest)
-    text = _decoded(data)
+    text = _decoded(data).rstrip("\x1a")  # the end of a file in DOS
     if not text.strip():
         raise ValueError(f"{path}: the file is empty")
     if "\0" in text:

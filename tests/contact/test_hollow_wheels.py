@@ -57,7 +57,8 @@ def test_the_shared_hollow_wheel_touches_where_it_should(
 ) -> None:
     wheel = wheel_on_rail(
         read_wheel_profile(shared_cases / "hollow_wheel_4mm.txt"), RAIL, RIGHT, lateral=12 * MM, roll=0.0,
-        load=150e3 if normal == "coupled_strips" else 1e3, gauge=gauge, friction=0.0, normal=normal, **ROLLING,
+        load=150e3 if normal == "coupled_strips" else 1e3, gauge=gauge, friction=0.0, normal=normal,
+        **ROLLING,
     )  # fmt: skip
     assert [1e3 * contact.y_wheel for contact in wheel.contacts] == [pytest.approx(place, abs=0.1)]
 

@@ -21,16 +21,25 @@ _NAMES = {
         "kilometer",
     ),
     "level": (
-        "level", "longitudinal level", "profile", "vertical profile", "vertical", "top",
+        "level", "longitudinal level", "profile", "vertical profile", "vertical", "top", "surface",
         "vertical alignment",
     ),
     "alignment": ("alignment", "align", "lateral", "lateral alignment", "horizontal alignment"),
-    "gauge": ("gauge", "track gauge", "gauge deviation"),
+    "gauge": ("gauge", "gage", "track gauge", "gauge deviation"),
     "cross_level": ("cross level", "crosslevel", "xlevel", "x level"),
 }  # fmt: skip
 _SIDES = {"left": "left", "l": "left", "lh": "left", "right": "right", "r": "right", "rh": "right"}
-_UNITS = {"mm": 1.0, "cm": 10.0, "m": 1e3, "in": 25.4, "inch": 25.4, "km": 1e6}  # mm
-_UNIT = re.compile(r"[\[(]\s*([a-z]+)\s*[\])]|[_ /](mm|cm|m|km|in)$")
+_UNITS = {
+    "mm": 1.0,
+    "cm": 10.0,
+    "m": 1e3,
+    "in": 25.4,
+    "inch": 25.4,
+    "km": 1e6,
+    "ft": 304.8,
+    "mi": 1609344.0,
+}  # mm
+_UNIT = re.compile(r"[\[(]\s*([a-z]+)\s*[\])]|[_ /](mm|cm|m|km|in|ft|mi)$")
 _ABSOLUTE = 0.06  # m from the nominal gauge: a median as near is the gauge itself
 _TOLD = 0.3  # least correlation of the steps of cross-level and levels that tells the sign
 

@@ -94,7 +94,9 @@ def _recorded(path: Path) -> tuple[list[int], list[str], FloatArray]:
     if content and re.match(r"[A-Za-z_\"']", content[0][1]) and not content[0][1].lower().startswith("nan"):
         number, line = content[0]
         below = _cells(content[1][1]) if len(content) > 1 else []
-        has_units = bool(below) and all(re.fullmatch(r"[\[(]?(k|m|c)?m[\])]?|-|", c.lower()) for c in below)
+        has_units = bool(below) and all(
+            re.fullmatch(r"[\[(]?([kmc]?m|in|inch|ft|mi)[\])]?|-|", c.lower()) for c in below
+        )
         columns = _columns(path, number, _cells(line), below if has_units else [])
         first = 2 if has_units else 1
     rows = [_row(path, number, _cells(line, commas), columns) for number, line in content[first:]]

@@ -27,7 +27,8 @@ from hh_exudyn.contact.profiles.points import (
 )
 from hh_exudyn.number_lines import leading_numbers, number
 
-KEY_VALUE = re.compile(r'^\s*"?([A-Za-z][\w .#]*?)\s*=(.*?)"?\s*$')
+KEY_VALUE = re.compile(r'^\s*"?([A-Za-z][^=]*?)\s*=(.*?)"?\s*$')
+USUAL_KEY = re.compile(r'^\s*"?(ColumnDef|XYPoints|ProgramName|MPTypeNo|[XY]Offset)\s*=', re.IGNORECASE)
 OLD_HEADER = re.compile(r'^\s*"?(?:#MINI(WHEEL|RAIL)PROF|MINIPROF\s+\d)', re.IGNORECASE)
 SECTION = re.compile(r"^\s*\[([^\]]+)\]\s*$")
 
@@ -108,7 +109,7 @@ def read_keyed(path: Path, text: list[str]) -> RawPoints:
                 starts.append(len(rows))
         elif match := KEY_VALUE.match(line):
             header[match[1].strip()] = match[2].strip()
-        elif inside and (plain := plain_line(n, line)).text:
+        elif inside and (plain := plain_line(n, line)).text and (rows or _is_row(plain)):
             rows.append(plain)
     names = [name.strip().upper() for name in header.get("ColumnDef", "X,Y").split(",")]
     if "X" not in names or "Y" not in names:
@@ -156,6 +157,11 @@ def header_number(path: Path, header: dict[str, str], key: str, default: float =
     if value is None or not abs(value) < 1e9:
         raise ValueError(f"profile {path}: {key} = {text[:40]!r}, allowed a number")
     return value
+
+
+def _is_row(line: Line) -> bool:
+    """Whether a line may be the first point; titles stand above it."""
+    return line.off or bool(leading_numbers(line.text)[0])
 
 
 def _check_one_profile(path: Path, rows: list[Line], starts: list[int], place: dict[int, float]) -> None:

@@ -7,7 +7,6 @@ that counts the points.
 """
 
 import re
-from collections.abc import Iterable
 from itertools import pairwise
 from pathlib import Path
 
@@ -33,7 +32,8 @@ UNITS = {
 
 _UNIT_OF = re.compile(r"\s*[\[(]\s*([\w\"]+)\s*[\])]|[_/](" + "|".join(sorted(UNITS, reverse=True)) + r")\b")
 _STATED_UNIT = re.compile(r"\bunits?\b\W*(?:are|is|of length|in)?\W*([a-z]+)", re.IGNORECASE)
-_LATERAL, _VERTICAL = ("y", "x", "lateral", "yw", "yr"), ("z", "y", "vertical", "zw", "zr", "height")
+_LATERAL = ("y", "x", "lateral", "horizontal", "position", "pos", "yw", "yr")
+_VERTICAL = ("z", "y", "vertical", "height", "zw", "zr")
 _OTHER = (
     "x",
     "s",
@@ -94,7 +94,7 @@ def read_two_columns(path: Path, text: list[str]) -> RawPoints:
     _check_sections(path, text, numbers, y)
     notes = switched_off(rows)
     if factor == 1.0:
-        factor = _stated_unit(line.text for line in header)
+        factor = _stated_unit([line.text for line in header])
     if factor != 1.0:
         notes.append(f"{factor:g} mm are the unit of the file")
     _check_count(path, header, len(y), len(notes))
@@ -135,9 +135,12 @@ def _unnamed(path: Path, rows: list[Line], count: int, commas: bool) -> tuple[in
     )
 
 
-def _stated_unit(header: Iterable[str]) -> float:
-    """Millimetres of the unit that a header states in words; 1 where it states none."""
+def _stated_unit(header: list[str]) -> float:
+    """Millimetres of the unit that a header states in words or in a line of units; 1 where it states none."""
     for text in header:
+        units = re.findall(r"[a-z]+", text.lower())
+        if len(set(units)) == 1 and len(units) > 1 and units[0] in UNITS:
+            return UNITS[units[0]]
         if (match := _STATED_UNIT.search(text)) and match[1].lower() in UNITS:
             return UNITS[match[1].lower()]
     return 1.0

@@ -82,6 +82,11 @@ FORMS: dict[str, str | bytes] = {
     "[FileInfo]\nVersion=2\n[Profile1Info]\nColumnDef=X,Y\nSh=28\n[Profile1XYPoints]\n" + table(X),
     "sections in two parts": "[FileInfo]\nSh=28\n[Profile1XYPoints]\n" + table(X[:100])
     + "[Profile2XYPoints]\n" + table(X[100:]),
+    "Excel's separator": "sep=;\ny;z\nmm;mm\n" + comma(table(form="{:.6f};{:.6f}")),
+    "a line of units": "y;z\nm;m\n" + table(W * MM, "{:.9f};{:.9f}"),
+    "end of file of DOS": table(end="\r\n") + "\x1a",
+    "title above keys": "Wheel 7, left\n" + KEYS + "\n".join(KEYED),
+    "odd keys, columns exchanged": "Date/Time (UTC)=x\nColumnDef=Y,X\n\n" + table(X[:, ::-1]),
     "1994": OLD + table(X, "{:.6f} {:.6f} 0.000"),
 }  # fmt: skip
 
