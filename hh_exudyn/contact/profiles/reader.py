@@ -165,14 +165,9 @@ def read_profile(
     raw = read_points(path, side)
     _check_numbers(path, raw)
     notes = list(raw.notes)
-    order = file_order(raw.y, raw.z)
-    if np.any(order != np.arange(len(order))):
-        notes.append("points sorted by y: the lines were shuffled")
-    y, z, lines = 1e-3 * raw.y[order], 1e-3 * raw.z[order], np.array(raw.lines)[order]
-    used = _distinct(path, y, z, notes)
-    used = used[check_gaps(path, y[used], z[used], lines[used], notes)]
-    used = np.delete(used, _wild(path, y[used], z[used], lines[used], notes))
-    y, z = filled(y[used], z[used])
+    y, z = _used_points(path, raw, notes)
+    left_out = len(raw.y) - len(y)
+    y, z = filled(y, z)
     kind = _kind(path, raw, kind, y, z)
     axes = side_coordinates(path, kind, raw.format, y, z, mirrored, flange_back)
     y, z = axes.y, axes.z
@@ -183,16 +178,8 @@ def read_profile(
         y, z = smoothed.y, smoothed.z
         ripple_left = curvature_ripple(y, z)
         notes.append(_in_words(smoothed, ripple, ripple_left))
-    single, loops, overhangs = single_valued(y, z, _anchor(kind, y, z))
-    if loops:
-        notes.append(f"{loops} points in loops left out")
-    if overhangs:
-        notes.append(f"{overhangs} points of overhangs cut off")
-    face = upright_face(y, z, int(single[-1])) if kind == "rail" else None
-    y, z, name = y[single], z[single], f"{kind} profile {path}"
-    if face:
-        notes.append(f"upright face below the lip at y = {1e3 * y[-1]:.2f} mm, z = {1e3 * z[-1]:.2f} mm")
-        y, z = np.append(y, face[0]), np.append(z, face[1])
+    y, z, cut = _single_valued(kind, y, z, notes)
+    name = f"{kind} profile {path}"
     check_points(name, "point", list(range(1, len(y) + 1)), y, z)
     shift_z = -float(np.interp(0.0, y, z)) if kind == "wheel" else -float(z.max())
     z = z + shift_z
@@ -201,7 +188,7 @@ def read_profile(
         format=raw.format,
         kind=kind,
         points_read=len(raw.y),
-        points_dropped=len(raw.y) - len(used) + (0 if smoothed else loops + overhangs),
+        points_dropped=left_out + (0 if smoothed else cut),
         mirrored=axes.mirrored,
         upside_down=axes.upside_down,
         shift_y=axes.shift_y,
@@ -225,6 +212,35 @@ def _check_options(kind: str | None, smoothing: str, deviation: float, side: str
         raise ValueError(f"smoothing = {smoothing!r}, allowed {', '.join(SMOOTHING)}")
     if not _LEAST_DEVIATION <= deviation <= _LARGEST_DEVIATION:
         raise ValueError(f"deviation = {deviation} m, allowed {_LEAST_DEVIATION} .. {_LARGEST_DEVIATION} m")
+
+
+def _used_points(path: Path, raw: RawPoints, notes: list[str]) -> tuple[FloatArray, FloatArray]:
+    """The points in metres, in the order of the curve, without duplicates, faces and wild points."""
+    order = file_order(raw.y, raw.z)
+    if np.any(order != np.arange(len(order))):
+        notes.append("points sorted by y: the lines were shuffled")
+    y, z, lines = 1e-3 * raw.y[order], 1e-3 * raw.z[order], np.array(raw.lines)[order]
+    used = _distinct(path, y, z, notes)
+    used = used[check_gaps(path, y[used], z[used], lines[used], notes)]
+    used = np.delete(used, _wild(path, y[used], z[used], lines[used], notes))
+    return y[used], z[used]
+
+
+def _single_valued(
+    kind: str, y: FloatArray, z: FloatArray, notes: list[str]
+) -> tuple[FloatArray, FloatArray, int]:
+    """The curve as a line z(y), with an upright face below a rail's lip; and how many points are left out."""
+    single, loops, overhangs = single_valued(y, z, _anchor(kind, y, z))
+    if loops:
+        notes.append(f"{loops} points in loops left out")
+    if overhangs:
+        notes.append(f"{overhangs} points of overhangs cut off")
+    face = upright_face(y, z, int(single[-1])) if kind == "rail" else None
+    y, z = y[single], z[single]
+    if face:
+        notes.append(f"upright face below the lip at y = {1e3 * y[-1]:.2f} mm, z = {1e3 * z[-1]:.2f} mm")
+        y, z = np.append(y, face[0]), np.append(z, face[1])
+    return y, z, loops + overhangs
 
 
 def _distinct(path: Path, y: FloatArray, z: FloatArray, notes: list[str]) -> IntArray:
