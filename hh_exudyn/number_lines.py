@@ -15,6 +15,11 @@ _EXPONENT = str.maketrans("dD", "ee")
 
 def number(word: str) -> float | None:
     """A word as a number, perhaps not a finite one; None where it is none."""
+    if word.isascii() and "_" not in word:  # as most are: 1_000 is a number of Python's only
+        try:
+            return float(word)
+        except ValueError:
+            pass
     word = word.replace("\N{MINUS SIGN}", "-")
     if _NUMBER.fullmatch(word):
         return float(word.translate(_EXPONENT))
@@ -29,7 +34,7 @@ def has_decimal_commas(lines: list[str]) -> bool:
     ValueError
         Four columns or more of digits with commas alone: ``1,5,2,5`` is two numbers or four.
     """
-    decimal = separating = False
+    decimal = False
     for line in lines:
         if not _COMMA_INSIDE.search(line):
             continue
@@ -41,10 +46,10 @@ def has_decimal_commas(lines: list[str]) -> bool:
                     f"{line.strip()[:40]!r} is two numbers or four; allowed with a decimal comma are columns "
                     "between semicolons, tabs or blanks"
                 )
-            separating = True
+            return False
         elif len(words) > 1:
             decimal = True
-    return decimal and not separating
+    return decimal
 
 
 def words(line: str, decimal_commas: bool = False) -> list[str]:

@@ -1,6 +1,8 @@
 """The table ``[track]`` of a case file: rails, foundation, irregularities, alignment."""
 
+import os
 from dataclasses import replace
+from functools import lru_cache
 from itertools import pairwise
 from typing import Any, Literal, Self
 
@@ -280,5 +282,15 @@ class TrackCase(CaseTable):
 
 
 def _measured(path: str, nominal_gauge_mm: float) -> Irregularity:
-    """Read a file of irregularities."""
+    """Read a file of irregularities, again where it has changed."""
+    try:
+        found = os.stat(path)
+    except OSError:  # the reader says why
+        return read_irregularity(path)
+    return _read_once(path, nominal_gauge_mm, found.st_mtime_ns, found.st_size)
+
+
+@lru_cache(maxsize=2)
+def _read_once(path: str, nominal_gauge_mm: float, _changed: int, _size: int) -> Irregularity:
+    """A file of irregularities; a case asks for it three times, and 25 km of track take seconds."""
     return read_irregularity(path, nominal_gauge=nominal_gauge_mm / 1000)
