@@ -20,6 +20,8 @@ from the logs alone; playback and figures show both. Read in this order:
 `hh_exudyn.kernel`             compilation of kernels; the only importer of numba
 `hh_exudyn.arrays`             names of array types
 `hh_exudyn.sourced`            numbers with unit, source and kind, from data files
+`hh_exudyn.text_files`         files of users: read whole, or refused in a line
+`hh_exudyn.number_lines`       numbers in lines of text: separators, decimal commas
 `hh_exudyn.signals`            filters of forces, accelerations and track
 `hh_exudyn.entry_points`       vehicles, lines and wear laws of other packages
 =============================  ====================================================================

@@ -8,8 +8,8 @@ Track and vehicle
     conicity                change of rolling radius over lateral displacement; equivalent conicity after
                             EN 15302: that of cones with the same wavelength [-]
     cross-level             irregularity of the height difference of both rails [m]
-    gauge                   distance of the rails 14 mm below their tops [m]
-    gauge point             point of a rail 14 mm below its top, end of the gauge
+    gauge                   least distance of the rails down to 14 mm below their tops (EN 13848-1) [m]
+    gauge point             point of a rail nearest to the other one in that zone, end of the gauge
     Hunt-Crossley damping   normal force N (1 + d v) with the approach rate v [s/m]
     Klingel's wave          kinematic oscillation of a free wheelset
     level                   irregularity of the mean height of both rails [m]

@@ -31,7 +31,7 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Mark what reads files of others, so that `.ci/run` can run just these where the files are."""
     for item in items:
-        if "shared_profiles" in getattr(item, "fixturenames", ()):
+        if {"shared_profiles", "shared_cases"} & set(getattr(item, "fixturenames", ())):
             item.add_marker(pytest.mark.shared)
 
 
@@ -47,4 +47,13 @@ def shared_profiles() -> Path:
         pytest.skip(
             "reads a profile made by others, which may not stand in the repository: no ../shared/profiles"
         )
+    return folder
+
+
+@pytest.fixture(scope="session")
+def shared_cases() -> Path:
+    """The folder of small inputs with right answers; as `shared_profiles`, tests of our own hold the same."""
+    folder = REPOSITORY.parent / "shared" / "cases"
+    if not folder.is_dir():
+        pytest.skip("reads an input that may not stand in the repository: no ../shared/cases")
     return folder

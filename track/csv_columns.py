@@ -1,11 +1,19 @@
-"""CSV tables of numbers with units in the names of their columns (``length_m``, ``cant_mm``)."""
+"""CSV tables of numbers with units in the names of their columns (``length_m``, ``cant_mm``).
+
+Columns stand between commas, semicolons or tabs, whichever the header line has; between the latter two a
+number may have a decimal comma.
+"""
 
 import csv
 import math
+import re
 from collections.abc import Collection
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
+
+from hh_exudyn.number_lines import number as parsed
+from hh_exudyn.text_files import read_text
 
 
 @dataclass(frozen=True)
@@ -34,17 +42,16 @@ class CsvRow:
         allowed = f"allowed are numbers from {low:g} to {high:g}"
         if not text:
             raise self.error(f"{name} is missing, {allowed}")
-        try:
-            value = float(text)
-        except ValueError:
-            raise self.error(f"{name} is {text!r}, {allowed}") from None
+        value = parsed(text)
+        if value is None:
+            raise self.error(f"{name} is {text!r}, {allowed}")
         if not low <= value <= high or math.isnan(value):
             raise self.error(f"{name} is {text}, {allowed}")
         return value
 
 
 def read_columns(path: str | Path, needed: Collection[str], optional: Collection[str] = ()) -> list[CsvRow]:
-    """Rows of a comma separated file with one header line; lines that begin with ``#`` are comments.
+    """Rows of a table with one header line; lines that begin with ``#`` are comments.
 
     Parameters
     ----------
@@ -58,16 +65,12 @@ def read_columns(path: str | Path, needed: Collection[str], optional: Collection
         or too many fields. Names file, line and column.
     """
     source = str(path)
-    try:
-        lines = Path(path).read_text(encoding="utf-8-sig").splitlines()
-    except OSError as error:
-        raise ValueError(f"{source}: cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{source}: is not a text file in UTF-8: {error.reason}") from None
+    lines = read_text(path).splitlines()
     content = [
         (i, line) for i, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith("#")
     ]
-    rows = [(i, [part.strip() for part in next(csv.reader([line]))]) for i, line in content]
+    separator = next((mark for mark in ";\t" if content and mark in content[0][1]), ",")
+    rows = [(i, _fields(line, separator)) for i, line in content]
     if len(rows) < 2:
         raise ValueError(f"{source}: has no rows, a header line and one row or more are needed")
     line, header = rows[0]
@@ -88,3 +91,9 @@ def read_columns(path: str | Path, needed: Collection[str], optional: Collection
         if len(fields) != len(header):
             raise ValueError(f"{source}, line {line}: has {len(fields)} fields, {len(header)} are needed")
     return [CsvRow(source, line, dict(zip(header, fields, strict=True))) for line, fields in rows[1:]]
+
+
+def _fields(line: str, separator: str) -> list[str]:
+    """The columns of a line, a decimal comma as a point."""
+    fields = [part.strip() for part in next(csv.reader([line], delimiter=separator))]
+    return fields if separator == "," else [re.sub(r"^([-+]?\d*),(\d+)$", r"\1.\2", part) for part in fields]

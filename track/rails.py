@@ -52,16 +52,15 @@ class Rails:
 
     def left_profile(self) -> Profile:
         """Profile of the left rail in side coordinates. Raises what the profile's reader raises."""
-        return self._profile(self.left)
+        return self._profile(self.left, "left")
 
     def right_profile(self) -> Profile:
         """Profile of the right rail in side coordinates. Raises what the profile's reader raises."""
-        return self._profile(self.right)
+        return self._profile(self.right, "right")
 
-    def _profile(self, name: str) -> Profile:
-        path = Path(name)
-        if path.is_file():
-            return read_rail_profile(path)
+    def _profile(self, name: str, side: str) -> Profile:
+        if name not in RAIL_PROFILES and (set(name) & set("/\\.") or Path(name).exists()):
+            return read_rail_profile(name, side=side)
         return rail_profile(name, inclination=self.inclination)
 
 

@@ -14,13 +14,13 @@ ValueError of one line that begins with the file.
 """
 
 import os
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from hh_exudyn.sourced import VARIANT, Difference, Parameter, ParameterSet, differences, made
+from hh_exudyn.text_files import read_toml
 from vehicles.catalogue import catalogued
 from vehicles.description import Vehicle
 from vehicles.quantities import require_plausible, require_same_unit
@@ -130,14 +130,7 @@ def _read(path: Path, above: tuple[Path, ...]) -> Variant:
     if place in above:
         chain = " -> ".join(file.name for file in (*above[above.index(place) :], place))
         raise ValueError(f"{path}: its base leads back to itself: {chain}")
-    try:
-        table = tomllib.loads(path.read_bytes().decode("utf-8-sig"))
-    except OSError as error:
-        raise ValueError(f"{path}: cannot be read: {error.strerror}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ValueError(f"{path}: not valid TOML: {error}") from None
-    except RecursionError:
-        raise ValueError(f"{path}: not a vehicle file: its tables are nested too deeply") from None
+    table = read_toml(path)
     try:
         return _variant({"name": path.stem, **table}, path.name, path.parent, (*above, place))
     except ValueError as error:

@@ -1,7 +1,7 @@
 """The alignment in a case file: sections and grades, or a table, or surveyed points. See `case`."""
 
 from dataclasses import replace
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal, Self, TypeVar
 
 from pydantic import Field, model_validator
 
@@ -13,14 +13,19 @@ from track.course.centre_line import fit_centre_line
 from track.course.survey import read_centre_line_csv
 from track.rails import RailPair, Rails
 
-LARGEST_GAUGE_MM = 1470.0  # beyond it a wheel may drop between the rails
-_RADII = (100.0, 20_000.0)  # m
+NOMINAL_GAUGES_MM = (900.0, 1700.0)  # from 900 mm (Christchurch, Leipzig) to 1676 mm (India)
+WIDENING_MM = 35.0  # over the nominal gauge; beyond it a wheel may drop between the rails
+_RADII = (100.0, 100_000.0)  # m
 
 
 def _gauge(default: float | None = NOMINAL_GAUGE * 1000) -> Any:
-    """Field of a gauge [mm]; the least gauge follows from the wheel profile, see `Case`."""
-    extra: dict[str, Any] = {"unit": "mm", "allowed": f"up to {LARGEST_GAUGE_MM:g}"}
-    return Field(default, le=LARGEST_GAUGE_MM, json_schema_extra=extra)
+    """Field of a gauge [mm]; the allowed ones follow from wheel profile and nominal gauge, see `Case`.
+
+    Without it a section has the nominal gauge of the track (`with_nominal_gauge`).
+    """
+    largest = NOMINAL_GAUGES_MM[1] + WIDENING_MM
+    extra: dict[str, Any] = {"unit": "mm", "allowed": f"up to {largest:g}"}
+    return Field(default, le=largest, json_schema_extra=extra)
 
 
 class StraightCase(CaseTable):
@@ -50,18 +55,19 @@ class TransitionCase(CaseTable):
     """A transition between its neighbours, in curvature, cant and gauge.
 
     Between two curves of one radius it is a cant ramp. `gauge_mm` is the gauge at its middle; without it the
-    gauge follows one ramp too.
+    gauge follows one ramp too. `gravity_height_m` is for the Viennese bend.
     """
 
     kind: Literal["transition"] = "transition"
     length_m: float = number("m", 1, 10_000)
-    shape: Literal["clothoid", "helmert", "bloss", "cosine"] = "clothoid"
+    shape: Literal["clothoid", "helmert", "bloss", "cosine", "sine", "viennese", "cubic"] = "clothoid"
     gauge_mm: float | None = _gauge(None)
+    gravity_height_m: float = number("m", 0, 3, 1.8)
 
     def section(self) -> Transition:
         """The section in SI."""
         gauge = None if self.gauge_mm is None else self.gauge_mm / 1000
-        return Transition(length=self.length_m, gauge=gauge, shape=self.shape)
+        return Transition(self.length_m, gauge, self.shape, self.gravity_height_m)
 
     def rails(self, track: Rails) -> None:
         """None: the rails change at its middle from those of one neighbour to those of the other."""
@@ -109,7 +115,9 @@ class CurveCase(CaseTable):
 class RampCase(CaseTable):
     """Curvature, cant and gauge, each linear between given values at beginning and end.
 
-    Radii are positive to the left, negative to the right, 0 in a straight. The cant raises the outer rail.
+    Radii are positive to the left, negative to the right, 0 in a straight. The cant raises the outer rail;
+    where both radii are 0, because a ramp of the cant begins ahead of its transition or ends behind it,
+    `hand` is that of the curve.
     """
 
     kind: Literal["ramp"] = "ramp"
@@ -121,6 +129,7 @@ class RampCase(CaseTable):
     gauge_mm: tuple[float, float] = Field(
         default=(NOMINAL_GAUGE * 1000,) * 2, strict=False, json_schema_extra={"allowed": "two numbers, mm"}
     )
+    hand: Literal["left", "right"] | None = None
 
     @model_validator(mode="after")
     def _check(self) -> Self:
@@ -133,19 +142,24 @@ class RampCase(CaseTable):
         for cant in self.cant_mm:
             if not 0.0 <= cant <= 180.0:
                 raise ValueError(f"cant_mm has {cant:g} mm: allowed 0 to 180 mm, the outer rail is higher")
-        for gauge in self.gauge_mm:
-            if gauge > LARGEST_GAUGE_MM:
-                raise ValueError(f"gauge_mm has {gauge:g} mm: allowed up to {LARGEST_GAUGE_MM:g} mm")
+        turn = sum(self.radius_m)
+        if self.hand is None and not any(self.radius_m) and any(self.cant_mm):
+            raise ValueError(
+                'cant_mm on a straight: hand is missing, allowed "left" or "right", of the curve'
+            )
+        if self.hand is not None and turn * (1.0 if self.hand == "left" else -1.0) < 0.0:
+            raise ValueError(f'hand = "{self.hand}": the radii are those of the other hand')
         self.section()
         return self
 
     def section(self) -> Ramp:
         """The section in SI."""
         (r0, r1), (c0, c1), (g0, g1) = self.radius_m, self.cant_mm, self.gauge_mm
+        outer = r0 or r1 or (-1.0 if self.hand == "right" else 1.0)
         return Ramp(
             length=self.length_m,
             curvature=(_curvature(r0), _curvature(r1)),
-            cant=(_signed(c0 / 1000, r0), _signed(c1 / 1000, r1)),
+            cant=(_signed(c0 / 1000, r0 or outer), _signed(c1 / 1000, r1 or outer)),
             gauge=(g0 / 1000, g1 / 1000),
         )
 
@@ -155,7 +169,10 @@ class RampCase(CaseTable):
     def mirrored(self) -> Self:
         """The ramp with left and right exchanged."""
         r0, r1 = self.radius_m
-        return self.model_copy(update={"radius_m": (-r0, -r1)})
+        other = {"left": "right", "right": "left"}
+        return self.model_copy(
+            update={"radius_m": (-r0, -r1), "hand": other[self.hand] if self.hand else None}
+        )
 
 
 def _curvature(radius: float) -> float:
@@ -221,7 +238,24 @@ class CentreLineCase(CaseTable):
         return replace(found, sections=ahead + found.sections, grades=grades + found.grades)
 
 
+_Gauged = TypeVar("_Gauged", bound=CaseTable)
 SectionCase = Annotated[StraightCase | TransitionCase | CurveCase | RampCase, Field(discriminator="kind")]
+
+
+def with_nominal_gauge(table: _Gauged, nominal_mm: float) -> _Gauged:
+    """A section or centre line with the nominal gauge where it states none.
+
+    Parameters
+    ----------
+    table : CaseTable
+        With the key `gauge_mm`.
+    nominal_mm : float
+        Nominal gauge of the track [mm].
+    """
+    if "gauge_mm" in table.model_fields_set or isinstance(table, TransitionCase):
+        return table
+    gauge = (nominal_mm,) * 2 if isinstance(table, RampCase) else nominal_mm
+    return table.model_copy(update={"gauge_mm": gauge})
 
 
 def gauges_mm(section: StraightCase | TransitionCase | CurveCase | RampCase) -> tuple[float, ...]:

@@ -5,7 +5,6 @@ properties and methods such as `speed` and `alignment` give SI. Every case is ch
 every fault is a `CaseError` of one line with file, key, value, unit and what is allowed.
 """
 
-import tomllib
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
@@ -22,14 +21,13 @@ from pydantic import (
 )
 
 from hh_exudyn.case.alignment import (
-    LARGEST_GAUGE_MM,
+    WIDENING_MM,
     gauges_mm,
 )
 from hh_exudyn.case.contact import ContactCase, IntegrationCase
 from hh_exudyn.case.errors import CaseError, explain
 from hh_exudyn.case.fields import CaseTable, from_folder, is_path, number
 from hh_exudyn.case.friction import FrictionCase
-from hh_exudyn.case.rails import profile_in_file
 from hh_exudyn.case.track import TrackCase
 from hh_exudyn.case.traction import SteeringCase, TractionCase
 from hh_exudyn.case.train import BrakeCase, TrainCase
@@ -40,11 +38,14 @@ from hh_exudyn.contact.profiles.measures import flange_thickness
 from hh_exudyn.contact.tangential.given import given_contact_model
 from hh_exudyn.contact.types import GivenCreep, WheelRailModel
 from hh_exudyn.contact.wheel_rail import wheel_rail_model
-from hh_exudyn.conventions import BACK_TO_BACK, LEFT, RIGHT
+from hh_exudyn.conventions import BACK_TO_BACK, LEFT, NOMINAL_GAUGE, RIGHT
+from hh_exudyn.text_files import parsed_toml, read_bytes
 from track.course.alignment import Alignment
 from vehicles.description import Vehicle
 
 _RAILS = ("rail", "rail_left", "rail_right", "rail_high", "rail_low")
+_LARGEST_FILE = 20_000_000  # bytes of a case
+_PLAY_MM = (60.0, 100.0)  # nominal gauge less the distance of the flange backs
 _FILES = ("wheel_profile", "irregularity", *_RAILS)  # keys with a name or the path of a file
 SHORTEST_TRACK_M = 30.0  # a wagon of 10.29 m and some track ahead
 
@@ -66,11 +67,12 @@ class Case(CaseTable):
     Units are in the names of the attributes, allowed ranges in the fields. `vehicle` is a name of the
     catalogue or a variant; the path of a vehicle file becomes the table of its changed numbers
     (`hh_exudyn.case.vehicle`). `wheel_profile` is a published
-    profile (``"S1002"``) or the path of a profile file. `friction` is one coefficient for all patches, or a
-    table for friction by place, zone and slip (`hh_exudyn.case.friction`). `traction` and `steering` are for
-    vehicles with drives (`hh_exudyn.case.traction`); such a vehicle without the first has the default table.
-    `train` passes a force through a hauled vehicle, `brake` presses the brake shoes of one that has them
-    (`hh_exudyn.case.train`).
+    profile (``"S1002"``) or the path of a profile file; `back_to_back_mm` is the distance of the flange
+    backs, without it 75 mm less than the nominal gauge of the track. `friction` is one coefficient for all
+    patches, or a table for friction by place, zone and slip (`hh_exudyn.case.friction`). `traction` and
+    `steering` are for vehicles with drives (`hh_exudyn.case.traction`); such a vehicle without the first has
+    the default table. `train` passes a force through a hauled vehicle, `brake` presses the brake shoes of one
+    that has them (`hh_exudyn.case.train`).
 
     Raises
     ------
@@ -83,6 +85,7 @@ class Case(CaseTable):
     speed_km_h: float = number("km/h", 5, 130)
     friction: _Friction = Field(json_schema_extra={"allowed": "0.01 to 1, or a table [friction]"})
     wheel_profile: str = "S1002"
+    back_to_back_mm: float | None = number("mm", 800, 1650, None)
     track: TrackCase
     contact: ContactCase = ContactCase()
     integration: IntegrationCase = IntegrationCase()
@@ -121,8 +124,9 @@ class Case(CaseTable):
     def _check_track(self) -> Self:
         """The vehicle fits on the track, no gauge jams the wheelset, and the sections follow each other."""
         sections = self.track.sections or ()
+        largest = self.track.nominal_gauge_mm + WIDENING_MM
         allowed = (
-            f"allowed above {self.least_gauge * 1000:.1f} up to {LARGEST_GAUGE_MM:g} mm with wheel profile "
+            f"allowed above {self.least_gauge * 1000:.1f} up to {largest:g} mm with wheel profile "
             f"{self.wheel_profile}"
         )
         for i, section in enumerate(sections):
@@ -131,6 +135,14 @@ class Case(CaseTable):
                     raise ValueError(
                         f"track.sections[{i}].gauge_mm = {gauge:g} mm leaves no flange clearance: {allowed}"
                     )
+                if gauge > largest:
+                    raise ValueError(f"track.sections[{i}].gauge_mm = {gauge:g} mm is too wide: {allowed}")
+        nominal = self.track.nominal_gauge_mm
+        if not _PLAY_MM[0] <= nominal - 1000 * self.back_to_back <= _PLAY_MM[1]:
+            raise ValueError(
+                f"back_to_back_mm = {self.back_to_back_mm:g} mm: allowed {nominal - _PLAY_MM[1]:g} to "
+                f"{nominal - _PLAY_MM[0]:g} mm for track.nominal_gauge_mm = {nominal:g} mm"
+            )
         key = f"track.{self.track.alignment_key}"
         try:
             alignment = self.alignment()
@@ -143,7 +155,7 @@ class Case(CaseTable):
             )
         # blended kinks of gauge ramps overshoot by micrometres
         narrow, wide = (round(1000 * float(end(alignment.table.gauge)), 1) for end in (np.min, np.max))
-        if not (sections or self.least_gauge * 1000 < narrow <= wide <= LARGEST_GAUGE_MM):
+        if not (sections or self.least_gauge * 1000 < narrow <= wide <= largest):
             raise ValueError(f"{key}: gauge is {narrow:g} to {wide:g} mm: {allowed}")
         return self
 
@@ -197,7 +209,15 @@ class Case(CaseTable):
     @property
     def least_gauge(self) -> float:
         """The gauge with zero flange clearance [m]."""
-        return BACK_TO_BACK + 2 * flange_thickness(self.wheel)
+        return self.back_to_back + 2 * flange_thickness(self.wheel)
+
+    @property
+    def back_to_back(self) -> float:
+        """Distance of the flange backs [m]: as given, else narrower than the nominal gauge by 75 mm (UIC
+        510-2)."""
+        if self.back_to_back_mm is not None:
+            return self.back_to_back_mm / 1000
+        return BACK_TO_BACK + (self.track.nominal_gauge_mm / 1000 - NOMINAL_GAUGE)
 
     def alignment(self) -> Alignment:
         """The track's alignment in SI."""
@@ -267,6 +287,7 @@ class Case(CaseTable):
             self.track.rail_course(LEFT),
             self.track.rail_course(RIGHT),
             nominal_radius=radii.pop(),
+            back_to_back=self.back_to_back,
             damping=self.contact.damping_s_per_m,
             normal=self.contact.normal,
             theory=self.contact.theory,
@@ -295,13 +316,13 @@ class Case(CaseTable):
         return tomli_w.dumps(self.model_dump(exclude_none=True))
 
     @classmethod
-    def from_toml(cls, text: str, source: str = "case", folder: Path | None = None) -> "Case":
+    def from_toml(cls, text: str | bytes, source: str = "case", folder: Path | None = None) -> "Case":
         """A case from TOML text.
 
         Parameters
         ----------
         text
-            The TOML document.
+            The TOML document; bytes are UTF-8.
         source
             Name of the file, for error messages.
         folder
@@ -313,11 +334,9 @@ class Case(CaseTable):
             One line with file, key, value, unit and what is allowed.
         """
         try:
-            data = tomllib.loads(text)
-        except tomllib.TOMLDecodeError as error:
-            raise CaseError(f"{source}: not valid TOML: {error}") from None
-        except RecursionError:
-            raise CaseError(f"{source}: not a case: its tables are nested too deeply") from None
+            data = parsed_toml(text, source)
+        except ValueError as error:
+            raise CaseError(str(error)) from None
         if folder is not None:
             _start_in(folder, data)
         try:
@@ -337,12 +356,10 @@ def read_case(path: str | Path) -> Case:
     """
     path = Path(path)
     try:
-        text = path.read_bytes().decode("utf-8-sig")
-    except OSError as error:
-        raise CaseError(f"{path}: cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError as error:
-        raise CaseError(f"{path}: not valid TOML: not UTF-8 at byte {error.start}") from None
-    return Case.from_toml(text, source=str(path), folder=path.parent)
+        data = read_bytes(path, _LARGEST_FILE)
+    except ValueError as error:
+        raise CaseError(str(error)) from None
+    return Case.from_toml(data, source=str(path), folder=path.parent)
 
 
 def _start_in(folder: Path, data: dict[str, Any]) -> None:
@@ -360,7 +377,7 @@ def _start_in(folder: Path, data: dict[str, Any]) -> None:
 
 
 def _wheel(name: str) -> Profile:
-    return profile_in_file(read_wheel_profile, name) if is_path(name) else wheel_profile(name)
+    return read_wheel_profile(name) if is_path(name) else wheel_profile(name)
 
 
 def _merged(old: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:

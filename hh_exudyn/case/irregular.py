@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.case.alignment import LARGEST_GAUGE_MM
+from hh_exudyn.case.alignment import WIDENING_MM
 from hh_exudyn.case.case import Case
 from track.course.alignment import Alignment
 from track.course.frame import inclined_frame
@@ -44,7 +44,7 @@ def require_possible_track(case: Case, alignment: Alignment, irregular: Irregula
     cant = -1.5 * np.sin(frames[:, 5]) + irregular.signal("cross_level")[on_track]
     gauge = frames[:, 7] + irregular.signal("gauge")[on_track]
     slope = np.gradient(irregular.signal("alignment")[on_track], irregular.step)
-    least, largest = 1e3 * case.least_gauge, LARGEST_GAUGE_MM
+    least, largest = 1e3 * case.least_gauge, case.track.nominal_gauge_mm + WIDENING_MM
     bounds = f"allowed above {least:.1f} up to {largest:g} mm with wheel profile {case.wheel_profile}"
     wrong = [
         *_beyond("gauge with irregularity", 1e3 * gauge, "mm", s, (least, largest), bounds),

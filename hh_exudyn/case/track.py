@@ -1,22 +1,31 @@
 """The table ``[track]`` of a case file: rails, foundation, irregularities, alignment."""
 
+import os
 from dataclasses import replace
+from functools import lru_cache
 from itertools import pairwise
-from typing import Any, Self
+from typing import Any, Literal, Self
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, ValidationInfo, field_validator, model_validator
 
-from hh_exudyn.case.alignment import CentreLineCase, GradeCase, SectionCase
+from hh_exudyn.case.alignment import (
+    NOMINAL_GAUGES_MM,
+    CentreLineCase,
+    GradeCase,
+    SectionCase,
+    with_nominal_gauge,
+)
 from hh_exudyn.case.fields import CaseTable, is_path, number
 from hh_exudyn.case.rails import RailName, sided
 from hh_exudyn.contact.geometry.rail_tables import CHANGE_LENGTH, RailCourse
 from hh_exudyn.contact.profile import Profile
-from hh_exudyn.conventions import LEFT
+from hh_exudyn.conventions import GAUGE_MEASURING_DEPTH, LEFT, NOMINAL_GAUGE, RAIL_TOP_DISTANCE
 from track.course.alignment import Alignment
 from track.course.alignment_csv import read_alignment_csv
 from track.irregularity.irregularity import Irregularity, random_irregularity
 from track.irregularity.irregularity_csv import read_irregularity
 from track.irregularity.spectra import spectrum_names
+from track.irregularity.wavelength_bands import LEAST_SAMPLES
 from track.rails import Rails, RailsAlong, RailSection, slope
 from track.support.sleepers import sleeper_track
 
@@ -37,6 +46,11 @@ class TrackCase(CaseTable):
     `rail` lies on both sides, except where `rail_left`, `rail_right` or a section name another. One rail
     changes into another over `rail_change_m` about the middle of a transition, or about the end of a section.
 
+    `nominal_gauge_mm` is the gauge of sections that state none, what recorded gauges are counted from, and,
+    65 mm wider, the base of all cants. Gauges are measured as the least distance of the rails down to
+    `gauge_depth_mm` below their tops (EN 13848-1; 15.875 mm in North America). The running plane turns about
+    the track's centre line or its low rail (`cant_about`).
+
     `irregularity` is ``"none"``, a spectrum (`track.irregularity.spectra.spectrum_names`) for a
     random track by `irregularity_seed` with wavelengths from `irregularity_shortest_m` to 70 m, or a
     measured file (`track.irregularity.irregularity_csv`). It begins ahead of the vehicle, faded in over 50
@@ -50,6 +64,9 @@ class TrackCase(CaseTable):
     inclination: str | float = Field(default="1:30", json_schema_extra={"allowed": '"1:15" to "1:100", or 0'})
     flexibility: str = "concrete"
     sleeper_passing: bool = True
+    nominal_gauge_mm: float = number("mm", *NOMINAL_GAUGES_MM, NOMINAL_GAUGE * 1000)
+    gauge_depth_mm: float = number("mm", 5, 20, GAUGE_MEASURING_DEPTH * 1000)
+    cant_about: Literal["centre", "low_rail"] = "centre"
     irregularity: str = SMOOTH
     irregularity_seed: int = number("-", 0, 2**31 - 1, 1)
     irregularity_shortest_m: float = number("m", 0.5, 25, 3.0)
@@ -62,6 +79,15 @@ class TrackCase(CaseTable):
     alignment: str | None = Field(default=None, min_length=1, json_schema_extra={"allowed": "a file (.csv)"})
     centre_line: CentreLineCase | None = None
     alignment_mirrored: bool = False
+
+    @field_validator("sections", "centre_line")
+    @classmethod
+    def _of_the_nominal_gauge(cls, value: Any, info: ValidationInfo) -> Any:
+        """Sections and surveyed points without a gauge have the nominal one."""
+        nominal = info.data.get("nominal_gauge_mm", NOMINAL_GAUGE * 1000)
+        if isinstance(value, tuple):
+            return tuple(with_nominal_gauge(section, nominal) for section in value)
+        return None if value is None else with_nominal_gauge(value, nominal)
 
     @field_validator("centre_line", mode="before")
     @classmethod
@@ -86,6 +112,19 @@ class TrackCase(CaseTable):
         return self
 
     @model_validator(mode="after")
+    def _check_samples(self) -> Self:
+        """Measured samples hold the shortest wave that is asked for."""
+        if is_path(self.irregularity):
+            step = _measured(self.irregularity, self.nominal_gauge_mm).step
+            largest = self.irregularity_shortest_m / LEAST_SAMPLES
+            if step > largest * (1.0 + 1e-9):
+                raise ValueError(
+                    f"irregularity {self.irregularity}: a sample every {step:g} m, allowed up to "
+                    f"{largest:g} m for irregularity_shortest_m = {self.irregularity_shortest_m:g} m"
+                )
+        return self
+
+    @model_validator(mode="after")
     def _check_rail_changes(self) -> Self:
         starts = [part.start for part in self.rails_along().sections[1:]]
         for one, other in pairwise(starts):
@@ -96,9 +135,11 @@ class TrackCase(CaseTable):
                 )
         return self
 
-    @field_validator("inclination")
+    @field_validator("inclination", mode="before")
     @classmethod
-    def _check_inclination(cls, value: str | float) -> str | float:
+    def _check_inclination(cls, value: Any) -> str | float:
+        if isinstance(value, bool) or not isinstance(value, str | float | int):
+            raise ValueError('allowed "1:15" to "1:100", or 0 for an upright rail')
         try:
             found = slope(value) if isinstance(value, str) else value
         except ValueError as error:
@@ -119,9 +160,9 @@ class TrackCase(CaseTable):
 
     @field_validator("irregularity")
     @classmethod
-    def _check_irregularity(cls, value: str) -> str:
+    def _check_irregularity(cls, value: str, info: ValidationInfo) -> str:
         if is_path(value):
-            _measured(value)
+            _measured(value, info.data.get("nominal_gauge_mm", NOMINAL_GAUGE * 1000))
         elif value != SMOOTH and value not in spectrum_names():
             raise ValueError(f"allowed {', '.join((SMOOTH, *spectrum_names()))}, or a file (.csv)")
         return value
@@ -140,12 +181,16 @@ class TrackCase(CaseTable):
             Sections or grades that do not join, a faulty file, points that give no alignment.
         """
         if self.alignment is not None:
-            found = read_alignment_csv(self.alignment)
+            found = read_alignment_csv(self.alignment, nominal_gauge=self.nominal_gauge_mm / 1000)
         elif self.centre_line is not None:
             found = self.centre_line.fitted()
         else:
             plan = tuple(section.section() for section in self.sections or ())
             found = Alignment(plan, grades=tuple(grade.grade() for grade in self.grades))
+        # a balanced cant of surveyed points is one across 1.5 m
+        wider = 0.0 if self.centre_line else self.nominal_gauge_mm / 1000 - NOMINAL_GAUGE
+        if wider or self.cant_about != "centre":
+            found = replace(found, cant_about=self.cant_about, cant_base=RAIL_TOP_DISTANCE + wider)
         return found.mirrored() if self.alignment_mirrored else found
 
     def mirrored(self) -> Self:
@@ -177,7 +222,7 @@ class TrackCase(CaseTable):
         if self.irregularity == SMOOTH:
             return None
         if is_path(self.irregularity):
-            found = replace(_measured(self.irregularity), start=start)
+            found = replace(_measured(self.irregularity, self.nominal_gauge_mm), start=start)
         else:
             if end - start < SHORTEST_IRREGULAR:
                 raise ValueError(
@@ -232,12 +277,20 @@ class TrackCase(CaseTable):
             tuple(profile for _, _, profile in found),
             tuple(start for start, _, _ in found[1:]),
             self.rail_change_m,
+            self.gauge_depth_mm / 1000,
         )
 
 
-def _measured(path: str) -> Irregularity:
-    """Read a file of irregularities; an unreadable one raises ValueError as well."""
+def _measured(path: str, nominal_gauge_mm: float) -> Irregularity:
+    """Read a file of irregularities, again where it has changed."""
     try:
+        found = os.stat(path)
+    except OSError:  # the reader says why
         return read_irregularity(path)
-    except OSError as error:
-        raise ValueError(f"cannot be read: {error.strerror}") from None
+    return _read_once(path, nominal_gauge_mm, found.st_mtime_ns, found.st_size)
+
+
+@lru_cache(maxsize=2)
+def _read_once(path: str, nominal_gauge_mm: float, _changed: int, _size: int) -> Irregularity:
+    """A file of irregularities; a case asks for it three times, and 25 km of track take seconds."""
+    return read_irregularity(path, nominal_gauge=nominal_gauge_mm / 1000)

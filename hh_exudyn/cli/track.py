@@ -5,7 +5,6 @@ commands, so that ``--help`` is fast.
 """
 
 import math
-import tomllib
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -15,6 +14,7 @@ from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
 from hh_exudyn.cli.names import NamesInHelp
+from hh_exudyn.text_files import read_toml
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -87,11 +87,9 @@ def _is_line(source: str) -> bool:
     if not path.exists():
         raise inputs.BadInput(f"CASE|LINE {source}: no such file and no known line; {known}")
     try:
-        keys = set(tomllib.loads(path.read_bytes().decode("utf-8-sig")))
-    except OSError as error:
-        raise inputs.BadInput(f"{source}: cannot be read: {error.strerror}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise inputs.BadInput(f"{source}: not valid TOML: {error}") from None
+        keys = set(read_toml(path))
+    except ValueError as error:
+        raise inputs.BadInput(str(error)) from None
     if not keys & (_OF_A_CASE | _OF_A_LINE):
         raise inputs.BadInput(
             f"{source}: neither a case file (with [track]) nor a line's file (with [length])"

@@ -15,8 +15,8 @@ so an alignment of one `Curve` is a full circle. A `Transition` at the start or 
 without cant. Beyond lead-in and run-out there is no track: the kernels return NaN.
 
 Arc length s is measured in plan, as chainage is; on a gradient i the track is longer by i^2 / 2 of it
-(5e-5 at 10 per mille). Cant turns the running plane about the centre line: the inner rail falls as much as
-the outer one rises.
+(5e-5 at 10 per mille). Cant turns the running plane about the centre line, where the inner rail falls as much
+as the outer one rises, or about the low rail, where the centre line rises by half the cant.
 """
 
 import math
@@ -68,7 +68,11 @@ __all__ = [
     "track_frame",
 ]
 
+CANT_ABOUT = ("centre", "low_rail")
+LONGEST = 200e3  # m of all sections: the table has a node every `step`, 100 MB for these
+
 _SHORTEST_CELL = 1e-6  # m; marks closer to a section boundary than this are left out
+_LEAST_CANT = 1e-6  # m; blended kinks overshoot
 
 
 @dataclass(frozen=True)
@@ -83,6 +87,10 @@ class Alignment:
     grades : vertical profile from s = 0 onwards, level track if there are none; the last gradient continues
     blend : length to both sides of a kink over which its rate is made continuous [m], 0.01 to 5; no more
         than a quarter of the shorter of the sections that meet there is used
+    cant_about : "centre" or "low_rail", what the running plane turns about; about the low rail, cants have
+        one sign
+    cant_base : lateral distance across which the sections' cants are heights [m], 0.9 to 2; `table` has those
+        across 1.5 m
 
     Raises
     ------
@@ -96,6 +104,8 @@ class Alignment:
     run_out: float = 50.0
     grades: tuple[Grade, ...] = ()
     blend: float = 0.5
+    cant_about: str = "centre"
+    cant_base: float = RAIL_TOP_DISTANCE
     table: AlignmentTable = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -105,6 +115,10 @@ class Alignment:
         check("lead_in", self.lead_in, LENGTH)
         check("run_out", self.run_out, LENGTH)
         check("blend", self.blend, (0.01, 5.0))
+        check("cant_base", self.cant_base, (0.9, 2.0))
+        if self.cant_about not in CANT_ABOUT:
+            raise ValueError(f"cant_about is {self.cant_about!r}, allowed are {', '.join(CANT_ABOUT)}")
+        check("length of all sections", self.length, (0.0, LONGEST))
         object.__setattr__(self, "table", _table(self))
 
     @classmethod
@@ -147,7 +161,7 @@ class Alignment:
 def _table(alignment: Alignment) -> AlignmentTable:
     """Nodes of an alignment: cubic pieces put end to end, then moved so that s = 0 is the origin."""
     ends = alignment.lead_in, alignment.run_out
-    plan = plan_courses(alignment.sections, *ends)
+    plan = plan_courses(alignment.sections, *ends, cant_scale=RAIL_TOP_DISTANCE / alignment.cant_base)
     grade = grade_course(alignment.grades, alignment.length, *ends)
     courses = (*plan, grade)
     s = _places(courses, plan.curvature.at, alignment.step, alignment.blend)
@@ -161,6 +175,8 @@ def _table(alignment: Alignment) -> AlignmentTable:
         nodes[:, first + 1] = rate
         nodes[:-1, first + 2] = (3.0 * mean - 2.0 * rate[:-1] - rate[1:]) / h  # Hermite's cubic
         nodes[:-1, first + 3] = (rate[:-1] + rate[1:] - 2.0 * mean) / h**2
+    if alignment.cant_about == "low_rail":
+        _lift_centre(nodes)
     cells = list(zip(nodes[:-1], h.tolist(), strict=True))
     turn = np.array([turn_in_cell(node, u) for node, u in cells])
     ahead, aside = np.array([shift_in_cell(node, u) for node, u in cells]).T
@@ -174,6 +190,19 @@ def _table(alignment: Alignment) -> AlignmentTable:
     grid = s[0] + alignment.step * np.arange(math.ceil((s[-1] - s[0]) / alignment.step) + 2)
     cell = np.clip(np.searchsorted(s, grid, side="right") - 1, 0, s.size - 2)
     return AlignmentTable(float(s[0]), float(s[-1]), float(alignment.step), cell.astype(np.int64), nodes)
+
+
+def _lift_centre(nodes: np.ndarray) -> None:
+    """Add half the slope of the cant to the gradient: the low rail keeps its gradient."""
+    cant = nodes[:, Node.CANT]
+    if cant.min() < -_LEAST_CANT and cant.max() > _LEAST_CANT:
+        raise ValueError(
+            f"cants of both hands, {1e3 * cant.min():.4g} and {1e3 * cant.max():.4g} mm (right over left "
+            "rail): allowed about the low rail are those of one hand"
+        )
+    half = 0.5 if cant.max() > -cant.min() else -0.5
+    for power, coefficient in enumerate((Node.CANT_1, Node.CANT_2, Node.CANT_3)):
+        nodes[:, Node.GRADIENT + power] += half * (power + 1) * nodes[:, coefficient]
 
 
 def _summed(parts: np.ndarray, zero: int) -> np.ndarray:

@@ -5,9 +5,11 @@ Columns, their units in their names:
     length_m            length of the section
     curvature_1_per_m   positive to the left, OR
     radius_m, hand      hand left, right or straight (then radius_m is empty)
-    cant_mm             >= 0, the outer rail is higher; default 0
+    cant_mm             >= 0, the outer rail is higher; default 0; where a straight has cant, because a ramp
+                        begins ahead of its transition or ends behind it, the outer rail is that of the next
+                        curve, behind the last one of the curve before
     gradient_per_mille  positive uphill; default 0
-    gauge_mm            default 1435
+    gauge_mm            default: the nominal gauge
     start_m             arc length at which the section begins, only to check for gaps and overlaps
 
 A row's values hold AT ITS END: over its length they change linearly from those of the row before. So a row
@@ -45,13 +47,16 @@ _LEAST_CANT_MM = 1.0
 _LEAST_GRADIENT_PER_MILLE = 0.1
 
 
-def read_alignment_csv(path: str | Path, step: float = 0.5, blend: float = 0.5) -> Alignment:
+def read_alignment_csv(
+    path: str | Path, step: float = 0.5, blend: float = 0.5, nominal_gauge: float = NOMINAL_GAUGE
+) -> Alignment:
     """The alignment that a CSV table describes (see the module for its columns).
 
     Parameters
     ----------
     path : the file
     step, blend : as in `Alignment` [m]
+    nominal_gauge : where there is no column for the gauge [m]
 
     Raises
     ------
@@ -63,7 +68,10 @@ def read_alignment_csv(path: str | Path, step: float = 0.5, blend: float = 0.5) 
     rows = read_columns(path, ("length_m",), _OPTIONAL)
     _check_columns(rows[0])
     radii = [_radius(row) for row in rows]
-    states = [_state(row, radius) for row, radius in zip(rows, radii, strict=True)]
+    hands = _hands(rows, radii)
+    states = [
+        _state(row, radius, hand, nominal_gauge) for row, radius, hand in zip(rows, radii, hands, strict=True)
+    ]
     _check_units(rows)
     sections: list[Section] = []
     grades: list[Grade] = []
@@ -92,6 +100,8 @@ def _section(length: float, first: State, last: State, radius: float) -> Section
     if first != last:
         return Ramp(length, *zip(first, last, strict=True))
     _, cant, gauge = last
+    if math.isinf(radius) and cant:
+        return Ramp(length, *zip(first, last, strict=True))
     if math.isinf(radius):
         return Straight(length, gauge)
     return Curve(length, abs(radius), "left" if radius > 0.0 else "right", abs(cant), gauge)
@@ -125,15 +135,35 @@ def _radius(row: CsvRow) -> float:
     return HANDS[hand] * row.number("radius_m", *RADIUS)
 
 
-def _state(row: CsvRow, radius: float) -> State:
-    """Curvature, signed cant and gauge at the end of the row."""
+def _hands(rows: list[CsvRow], radii: list[float]) -> list[int]:
+    """+1 or -1 for each row: the hand of its own curve, else of the curves on both sides; 0 without any.
+
+    Raises ValueError for cant on a straight between curves of different hands.
+    """
+    own = [0 if math.isinf(radius) else 1 if radius > 0.0 else -1 for radius in radii]
+    before, behind = list(own), list(own)
+    for i in range(1, len(own)):
+        before[i] = own[i] or before[i - 1]
+    for i in reversed(range(len(own) - 1)):
+        behind[i] = own[i] or behind[i + 1]
+    for row, one, other in zip(rows, before, behind, strict=True):
+        if one * other < 0 and "cant_mm" in row.fields and row.number("cant_mm", -1e9, 1e9) != 0.0:
+            raise row.error(
+                f"cant_mm is {row.fields['cant_mm']} on the straight between curves of different hands, "
+                "allowed is 0: which rail is raised?"
+            )
+    return [other or one for one, other in zip(before, behind, strict=True)]
+
+
+def _state(row: CsvRow, radius: float, hand: int, nominal_gauge: float) -> State:
+    """Curvature, signed cant and gauge at the end of the row; `hand` says which rail cant raises."""
     cant = row.number("cant_mm", CANT[0] * 1000, CANT[1] * 1000) / 1000 if "cant_mm" in row.fields else 0.0
-    gauge = NOMINAL_GAUGE
+    gauge = nominal_gauge
     if "gauge_mm" in row.fields:
         gauge = row.number("gauge_mm", GAUGE[0] * 1000, GAUGE[1] * 1000) / 1000
-    if cant > 0.0 and math.isinf(radius):
-        raise row.error(f"cant_mm is {cant * 1000:g} without a curve, allowed is 0 on straight track")
-    return 1.0 / radius, -cant if radius < 0.0 else cant, gauge
+    if cant > 0.0 and not hand:
+        raise row.error(f"cant_mm is {cant * 1000:g} without any curve, allowed is 0")
+    return 1.0 / radius, -cant if hand < 0 else cant, gauge
 
 
 def _gradient(row: CsvRow) -> float:

@@ -20,9 +20,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hh_exudyn.arrays import FloatArray
-from track.course.sections import SHAPES, Grade, Ramp, Section, State, Transition
-
-_CLOTHOID, _HELMERT, _BLOSS, _COSINE = range(len(SHAPES))
+from hh_exudyn.conventions import RAIL_TOP_DISTANCE
+from track.course.sections import Grade, Ramp, Section, State, Transition
+from track.course.shapes import CLOTHOID, CUBIC, HELMERT, LARGEST_TURN, SHAPES, VIENNESE, roll_bend, share
 
 
 class Course(NamedTuple):
@@ -32,6 +32,19 @@ class Course(NamedTuple):
     first: FloatArray  # (n,) value at the beginning of each piece
     last: FloatArray  # (n,) value at its end
     shape: NDArray[np.int64]  # (n,) index into SHAPES
+    turn: FloatArray  # (n,) of a cubic parabola [rad], see `shapes.share`; else 0
+    bend: FloatArray  # (n,) factor of `shapes.roll_bend` in the curvature of a Viennese bend [1/m]; else 0
+
+
+class _Piece(NamedTuple):
+    """One piece of a course, from the end of the piece before."""
+
+    first: float
+    last: float
+    end: float  # [m]
+    shape: int = CLOTHOID
+    turn: float = 0.0
+    bend: float = 0.0
 
 
 class PlanCourses(NamedTuple):
@@ -42,7 +55,9 @@ class PlanCourses(NamedTuple):
     gauge: Course  # [m]
 
 
-def plan_courses(sections: tuple[Section, ...], lead_in: float, run_out: float) -> PlanCourses:
+def plan_courses(
+    sections: tuple[Section, ...], lead_in: float, run_out: float, cant_scale: float = 1.0
+) -> PlanCourses:
     """Courses of curvature, cant and gauge, with constant pieces before s = 0 and behind the end.
 
     Raises ValueError where a quantity jumps or the ends of a `Transition` are not defined.
@@ -51,8 +66,9 @@ def plan_courses(sections: tuple[Section, ...], lead_in: float, run_out: float) 
     ----------
     sections : of the alignment, from s = 0 on
     lead_in, run_out : length of track before s = 0 and beyond the end [m]
+    cant_scale : factor of the sections' cants
     """
-    ends = [_ends(sections, i) for i in range(len(sections))]
+    ends = [_ends(sections, i, cant_scale) for i in range(len(sections))]
     bounds = [0.0]
     for section in sections:
         bounds.append(bounds[-1] + section.length)
@@ -65,15 +81,20 @@ def plan_courses(sections: tuple[Section, ...], lead_in: float, run_out: float) 
                     f"{name} jumps from {old:g} to {new:g} {unit} between section {i} and section {i + 1} "
                     f"at s = {bounds[i]:g} m, allowed is 0: put a Transition between them"
                 )
-    shapes = [SHAPES.index(part.shape) if isinstance(part, Transition) else _CLOTHOID for part in sections]
-    turn, lift = ([(a[k], b[k], bounds[i + 1], shapes[i]) for i, (a, b) in enumerate(ends)] for k in range(2))
-    width: list[tuple[float, float, float, int]] = []
+    shapes = [SHAPES.index(part.shape) if isinstance(part, Transition) else CLOTHOID for part in sections]
+    turn = [
+        _Piece(a[0], b[0], bounds[i + 1], shapes[i], *_of_curvature(i, sections[i], a, b))
+        for i, (a, b) in enumerate(ends)
+    ]
+    straight = [CLOTHOID if shape == CUBIC else shape for shape in shapes]
+    lift = [_Piece(a[1], b[1], bounds[i + 1], straight[i]) for i, (a, b) in enumerate(ends)]
+    width: list[_Piece] = []
     for i, (section, (a, b)) in enumerate(zip(sections, ends, strict=True)):
         if isinstance(section, Transition) and section.gauge is not None:
-            width.append((a[2], section.gauge, bounds[i] + 0.5 * section.length, _CLOTHOID))
-            width.append((section.gauge, b[2], bounds[i + 1], _CLOTHOID))
+            width.append(_Piece(a[2], section.gauge, bounds[i] + 0.5 * section.length))
+            width.append(_Piece(section.gauge, b[2], bounds[i + 1]))
         else:
-            width.append((a[2], b[2], bounds[i + 1], shapes[i]))
+            width.append(_Piece(a[2], b[2], bounds[i + 1], straight[i]))
     return PlanCourses(*(_course(pieces, lead_in, run_out) for pieces in (turn, lift, width)))
 
 
@@ -88,7 +109,7 @@ def grade_course(grades: tuple[Grade, ...], length: float, lead_in: float, run_o
     length : of all sections [m]
     lead_in, run_out : as for `plan_courses` [m]
     """
-    pieces: list[tuple[float, float, float, int]] = []
+    pieces: list[_Piece] = []
     end = 0.0
     for i, grade in enumerate(grades):
         end += grade.length
@@ -97,16 +118,22 @@ def grade_course(grades: tuple[Grade, ...], length: float, lead_in: float, run_o
                 f"gradient jumps from {pieces[-1][1]:g} to {grade.gradient:g} between grade {i} and grade "
                 f"{i + 1} at s = {end - grade.length:g} m, allowed is 0: put a Grade with an end between them"
             )
-        pieces.append((grade.gradient, grade.gradient if grade.end is None else grade.end, end, _CLOTHOID))
+        pieces.append(_Piece(grade.gradient, grade.gradient if grade.end is None else grade.end, end))
     if end > length + 1e-6:
         raise ValueError(f"length of all grades is {end:g} m, allowed is up to {length:g} m of the sections")
     last = pieces[-1][1] if pieces else 0.0
     if length - end > 1e-6:
-        pieces.append((last, last, length, _CLOTHOID))
+        pieces.append(_Piece(last, last, length))
     return _course(pieces, lead_in, run_out)
 
 
-def _ends(sections: tuple[Section, ...], i: int) -> tuple[State, State]:
+def _ends(sections: tuple[Section, ...], i: int, cant_scale: float) -> tuple[State, State]:
+    """State at the beginning and the end of section i, its cant times `cant_scale`."""
+    (k0, c0, g0), (k1, c1, g1) = _own_ends(sections, i)
+    return (k0, cant_scale * c0, g0), (k1, cant_scale * c1, g1)
+
+
+def _own_ends(sections: tuple[Section, ...], i: int) -> tuple[State, State]:
     """State at the beginning and the end of section i."""
     section = sections[i]
     if isinstance(section, Ramp):
@@ -131,14 +158,43 @@ def _ends(sections: tuple[Section, ...], i: int) -> tuple[State, State]:
     return first or straight, last or straight
 
 
-def _course(pieces: list[tuple[float, float, float, int]], lead_in: float, run_out: float) -> Course:
-    """Pieces (first, last, end, shape) from s = 0 on, with a constant piece before and one behind."""
-    first, last, end, shape = (list(column) for column in zip(*pieces, strict=True))
+def _of_curvature(i: int, section: Section, first: State, last: State) -> tuple[float, float]:
+    """`turn` and `bend` of a section's curvature; ValueError for a cubic parabola that is none."""
+    if not isinstance(section, Transition):
+        return 0.0, 0.0
+    if section.shape == SHAPES[VIENNESE]:
+        roll = (last[1] - first[1]) / RAIL_TOP_DISTANCE
+        return 0.0, -section.gravity_height * roll / section.length**2
+    if section.shape != SHAPES[CUBIC]:
+        return 0.0, 0.0
+    if first[0] != 0.0 and last[0] != 0.0:
+        raise ValueError(
+            f"section {i + 1} is a cubic Transition between two curves, allowed is one to a straight"
+        )
+    turn = section.length * max(abs(first[0]), abs(last[0]))
+    if turn > LARGEST_TURN:
+        raise ValueError(
+            f"section {i + 1} is a cubic Transition of {section.length:g} m to a radius of "
+            f"{section.length / turn:g} m, allowed is up to {LARGEST_TURN:g} times the radius"
+        )
+    return (-turn if last[0] == 0.0 else turn), 0.0
+
+
+def _course(pieces: list[_Piece], lead_in: float, run_out: float) -> Course:
+    """A course with constant pieces before and behind."""
+    all_pieces = [
+        _Piece(pieces[0].first, pieces[0].first, 0.0),
+        *pieces,
+        _Piece(pieces[-1].last, pieces[-1].last, pieces[-1].end + run_out),
+    ]
+    first, last, end, shape, turn, bend = zip(*all_pieces, strict=True)
     return Course(
-        np.array([-lead_in, 0.0, *end, end[-1] + run_out]),
-        np.array([first[0], *first, last[-1]]),
-        np.array([first[0], *last, last[-1]]),
-        np.array([_CLOTHOID, *shape, _CLOTHOID], dtype=np.int64),
+        np.array([-lead_in, *end]),
+        np.array(first),
+        np.array(last),
+        np.array(shape, dtype=np.int64),
+        np.array(turn),
+        np.array(bend),
     )
 
 
@@ -151,7 +207,7 @@ def marks(course: Course, blend: float) -> FloatArray:
     blend : half length of a blend [m]
     """
     kink, half, _ = _kinks(course, blend)
-    middle = 0.5 * (course.at[:-1] + course.at[1:])[course.shape == _HELMERT]
+    middle = 0.5 * (course.at[:-1] + course.at[1:])[course.shape == HELMERT]
     return np.concatenate([course.at, kink - half, kink + half, middle])
 
 
@@ -167,38 +223,33 @@ def values(course: Course, s: FloatArray, blend: float) -> tuple[FloatArray, Flo
     piece = np.clip(np.searchsorted(course.at, s, side="right") - 1, 0, course.shape.size - 1)
     length = np.diff(course.at)[piece]
     change = (course.last - course.first)[piece]
-    part, slope = _shape(course.shape[piece], (s - course.at[piece]) / length)
+    t = (s - course.at[piece]) / length
+    part, slope = share(course.shape[piece], t, course.turn[piece])
     value = course.first[piece] + change * part
     rate = change / length * slope
+    if course.bend.any():
+        second, third = roll_bend(t)
+        value += course.bend[piece] * second
+        rate += course.bend[piece] / length * third
     for kink, half, jump in zip(*_kinks(course, blend), strict=True):
         inside = slice(np.searchsorted(s, kink - half), np.searchsorted(s, kink + half, side="right"))
-        t = (s[inside] - kink) / half
-        size = np.abs(t)
+        place = (s[inside] - kink) / half
+        size = np.abs(place)
         size[size > 1.0 - 1e-9] = 1.0  # at the ends of the blend by rounding
         # smoothed kink less the kink itself, the same to both sides: F(t) - max(t, 0); its slope is odd
         # = 1/12 - size/2 + 3 size^2/4 - size^3/3, written with its double zero at size = 1
         value[inside] += jump * half * (1.0 - size) ** 2 * (1.0 - 4.0 * size) / 12.0
-        rate[inside] += jump * np.where(t < 0.0, 1.0, -1.0) * (0.5 + size * (-1.5 + size))
+        rate[inside] += jump * np.where(place < 0.0, 1.0, -1.0) * (0.5 + size * (-1.5 + size))
     return value, rate
 
 
 def _kinks(course: Course, blend: float) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Places of the kinks [m], half lengths of their blends [m] and jumps of the slope."""
     length = np.diff(course.at)
-    start = _shape(course.shape, np.zeros(course.shape.size))[1]
-    end = _shape(course.shape, np.ones(course.shape.size))[1]
+    start = share(course.shape, np.zeros(course.shape.size), course.turn)[1]
+    end = share(course.shape, np.ones(course.shape.size), course.turn)[1]
     mean = (course.last - course.first) / length
     jump = (mean * start)[1:] - (mean * end)[:-1]
     half = np.minimum(blend, 0.25 * np.minimum(length[1:], length[:-1]))
     kinked = np.abs(jump) > 1e-12 * np.max(np.abs(mean))
     return course.at[1:-1][kinked], half[kinked], jump[kinked]
-
-
-def _shape(shape: NDArray[np.int64], t: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Share of the change reached at t = 0 to 1 of the length, and its derivative by t (EN 13803)."""
-    choices = [shape == kind for kind in (_HELMERT, _BLOSS, _COSINE)]
-    late = t > 0.5
-    helmert = np.where(late, 1.0 - 2.0 * (1.0 - t) ** 2, 2.0 * t**2)
-    part = [helmert, t**2 * (3.0 - 2.0 * t), 0.5 - 0.5 * np.cos(np.pi * t)]
-    slope = [np.where(late, 4.0 - 4.0 * t, 4.0 * t), 6.0 * t * (1.0 - t), 0.5 * np.pi * np.sin(np.pi * t)]
-    return np.select(choices, part, t), np.select(choices, slope, np.ones_like(t))

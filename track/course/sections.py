@@ -6,15 +6,16 @@ Each checks its own numbers; jumps from one to the next are errors of `track.cou
 from dataclasses import dataclass, replace
 
 from hh_exudyn.conventions import LEFT, NOMINAL_GAUGE, RIGHT
+from track.course.shapes import SHAPES
 
 HANDS = {"left": LEFT, "right": RIGHT}
-SHAPES = ("clothoid", "helmert", "bloss", "cosine")
 LENGTH = (1e-3, 1e6)  # m, allowed ranges
-RADIUS = (100.0, 20000.0)  # m
+RADIUS = (100.0, 100_000.0)  # m
 CURVATURE = (-1.0 / RADIUS[0], 1.0 / RADIUS[0])  # 1/m
 CANT = (0.0, 0.180)  # m, EN 13803:2017 allows 180 mm as exceptional limit
-GAUGE = (1.40, 1.50)  # m
+GAUGE = (0.9, 1.75)  # m, from narrow to Indian gauge with their limits
 GRADIENT = (-0.05, 0.05)  # [-], adhesion lines stay below 40 per mille with few exceptions
+GRAVITY_HEIGHT = (0.0, 3.0)  # m over the running plane
 VERTICAL_RADIUS = 500.0  # m, exceptional limit of EN 13803:2017
 
 State = tuple[
@@ -52,14 +53,15 @@ class Transition:
 
     Straight to curve, curve to straight, curve to another curve of the same hand (compound) or of the other
     (reverse). `length` [m]. `gauge` [m] is the gauge at its middle, with linear ramps to both sides; None,
-    the default, is one ramp. `shape` is the course of curvature and cant over t = 0 to 1 of the length
-    (EN 13803): "clothoid" t, "helmert" 2 t^2 and mirrored, "bloss" 3 t^2 - 2 t^3, "cosine"
-    (1 - cos pi t) / 2.
+    the default, is one ramp. `shape` is the course of curvature and cant (EN 13803), one of `shapes.SHAPES`:
+    see there. `gravity_height` [m] is for a Viennese bend: the height over the running plane that it leads
+    smoothly, 1.8 m where the railway says nothing else.
     """
 
     length: float
     gauge: float | None = None
     shape: str = "clothoid"
+    gravity_height: float = 1.8
 
     def __post_init__(self) -> None:
         check("length of a Transition", self.length, LENGTH)
@@ -67,6 +69,7 @@ class Transition:
             check("gauge of a Transition", self.gauge, GAUGE)
         if self.shape not in SHAPES:
             raise ValueError(f"shape of a Transition is {self.shape!r}, allowed are {', '.join(SHAPES)}")
+        check("gravity_height of a Transition", self.gravity_height, GRAVITY_HEIGHT)
 
 
 @dataclass(frozen=True)
@@ -102,7 +105,8 @@ class Ramp:
     """Curvature, cant and gauge linear between given ends, for tables and surveyed lines.
 
     `curvature` [1/m] is positive to the left. `cant` [m] is the height of the RIGHT rail over the left one,
-    so that it has the sign of the curvature where the outer rail is raised.
+    so that it has the sign of the curvature where the outer rail is raised. On a straight it may have either
+    sign: a cant ramp may begin ahead of its transition, or end behind it.
     """
 
     length: float
@@ -116,10 +120,10 @@ class Ramp:
             check("curvature of a Ramp", curvature, CURVATURE, "1/m")
             check("cant of a Ramp", cant, (-CANT[1], CANT[1]))
             check("gauge of a Ramp", gauge, GAUGE)
-            if cant != 0.0 and cant * curvature <= 0.0:
+            if cant * curvature < 0.0:
                 raise ValueError(
                     f"cant of a Ramp is {cant} m where its curvature is {curvature} 1/m, allowed is a cant "
-                    "with the sign of the curvature (outer rail higher), 0 where there is no curve"
+                    "with the sign of the curvature (outer rail higher)"
                 )
 
     @property

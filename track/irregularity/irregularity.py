@@ -50,7 +50,8 @@ from track.irregularity.wavelength_bands import wavelength_band
 BAND = (3.0, 70.0)  # m, wavelengths of random tracks by default
 POINTS_PER_WAVELENGTH = 6  # a spline's second derivative is then 9 % small, ((2 pi / 6)^2 / 12)
 
-_LENGTH = (20.0, 1e6)  # m
+_LENGTH = (20.0, 1e6)  # m, of a random track
+_STRETCH = (1.0, 1e6)  # m, of any
 _STEP = (0.01, 10.0)  # m
 _FADE = (1.0, 1000.0)  # m
 _LARGEST = 0.5  # m, of an irregularity
@@ -94,7 +95,7 @@ class Irregularity:
         _check("step", self.step, _STEP)
         if self.values.ndim != 2 or self.values.shape[1] != len(SIGNALS):
             raise ValueError(f"values has shape {self.values.shape}, it must be (n, {len(SIGNALS)})")
-        _check("length", self.length, _LENGTH)
+        _check("length", self.length, _STRETCH)
         bad = ~(np.abs(self.values) <= _LARGEST)
         if bad.any():
             row, column = np.argwhere(bad)[0]

@@ -10,7 +10,7 @@ from track.irregularity.spectra import check_wavelengths
 D1 = (3.0, 25.0)  # m, EN 13848-1
 D2 = (25.0, 70.0)  # m
 
-_LEAST_SAMPLES = 2.5  # per wavelength; with 2 the filter's edge would lie at the Nyquist frequency
+LEAST_SAMPLES = 2.5  # per wavelength; with 2 the filter's edge would lie at the Nyquist frequency
 _LEAST_LENGTH = 2.0  # least length of the signal over the longest wavelength
 _PADDED_LENGTH = 2.0  # length of the continuation of both ends over the longest wavelength
 
@@ -34,10 +34,10 @@ def wavelength_band(values: FloatArray, step: float, wavelengths: tuple[float, f
     """
     check_wavelengths("wavelengths", wavelengths)
     shortest, longest = wavelengths
-    if not 0.0 < step <= shortest / _LEAST_SAMPLES:
+    if not 0.0 < step <= shortest / LEAST_SAMPLES:
         raise ValueError(
             f"step is {step} m, for wavelengths from {shortest:g} m allowed is up to "
-            f"{shortest / _LEAST_SAMPLES:g} m"
+            f"{shortest / LEAST_SAMPLES:g} m"
         )
     length = step * (len(values) - 1)
     if not length >= _LEAST_LENGTH * longest:

@@ -6,12 +6,12 @@ A fault is a ValueError of one line with file, key, value, unit and what is allo
 """
 
 import difflib
-import tomllib
 from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any
 
 from hh_exudyn.sourced import KINDS, kind_of
+from hh_exudyn.text_files import parsed_toml, read_toml
 
 
 class DataTable:
@@ -144,10 +144,6 @@ class DataTable:
 
 def read_data(path: Path | Traversable) -> DataTable:
     """The whole file as a table. Raises ValueError where it cannot be read or is not TOML."""
-    name = str(path) if isinstance(path, Path) else path.name
-    try:
-        return DataTable(tomllib.loads(path.read_bytes().decode("utf-8-sig")), name)
-    except OSError as error:
-        raise ValueError(f"{name}: cannot be read: {error.strerror}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ValueError(f"{name}: not valid TOML: {error}") from None
+    if isinstance(path, Path):
+        return DataTable(read_toml(path), str(path))
+    return DataTable(parsed_toml(path.read_bytes(), path.name), path.name)

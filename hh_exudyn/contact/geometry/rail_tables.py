@@ -19,8 +19,10 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile, gauge_point
-from hh_exudyn.contact.profiles.spline import MAX_SLOPE, spline_evaluate, spline_table, uniform_table
+from hh_exudyn.contact.profiles.spline import spline_evaluate, spline_table, uniform_table
+from hh_exudyn.contact.profiles.steepness import MAX_SLOPE
 from hh_exudyn.contact.types import Memory, RailTables, SplineTable
+from hh_exudyn.conventions import GAUGE_MEASURING_DEPTH
 from hh_exudyn.kernel import allocating_kernel, inlined_kernel, kernel, memory, shaped
 
 CHANGE_LENGTH = 2.0  # m, assumed: length over which one rail passes into another (welded and ground)
@@ -42,6 +44,8 @@ class RailCourse:
         Arc lengths of the middles of the changes, one less than there are sections [m].
     change_length : float
         Length of every change, > 0 [m].
+    gauge_depth : float
+        Depth below the top down to which the gauge is measured [m].
 
     Raises
     ------
@@ -53,6 +57,7 @@ class RailCourse:
     profiles: tuple[Profile, ...]
     changes: tuple[float, ...] = ()
     change_length: float = CHANGE_LENGTH
+    gauge_depth: float = GAUGE_MEASURING_DEPTH
 
     def __post_init__(self) -> None:
         for profile in self.profiles:
@@ -80,7 +85,7 @@ class RailCourse:
 
     def gauge_points(self) -> FloatArray:
         """Lateral position of each profile's gauge point in its own coordinates [m]."""
-        return np.array([gauge_point(profile) for profile in self.profiles])
+        return np.array([gauge_point(profile, self.gauge_depth) for profile in self.profiles])
 
 
 def rail_tables(course: RailCourse, smoothing: float) -> RailTables:
@@ -104,7 +109,7 @@ def rail_tables(course: RailCourse, smoothing: float) -> RailTables:
         rows.append(same[0] if same else len(distinct))
         if not same:
             distinct.append(profile)
-    points = np.array([gauge_point(profile) for profile in distinct])
+    points = np.array([gauge_point(profile, course.gauge_depth) for profile in distinct])
     tables = _alike([spline_table(profile, smoothing=smoothing) for profile in distinct], points)
     if tables[0].z.size > _MOST_NODES:
         raise ValueError(

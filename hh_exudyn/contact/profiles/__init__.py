@@ -6,12 +6,20 @@
 `standard`     S1002 and rail heads from their arcs
 `malmbanan`    stand-ins for the profiles of the Malmbanan line, all assumed
 `reader`       files of any format, cleaned and smoothed
-`formats`      how a format is recognised by the content of a file, and its columns
+`formats`      how a format is recognised by the content of a file
+`points`       the points of a file in its own axes, and its lines
+`two_columns`  plain tables, with or without a header
+`miniprof`     MiniProf's files, with keys or with older headers
+`simpack`      SIMPACK's files
+`vampire`      VAMPIRE's files
 `axes`         from the axes of a file to side coordinates
 `cleaning`     double points, steps, points out of order
+`gaps`         gaps and upright faces
+`wild_points`  points off the curve of their neighbours
 `smoothing`    the rule by which a measured profile is smoothed
 `writer`       two columns, or text like MiniProf's
 `measures`     flange height, thickness, qR and angle; rail head wear
+`steepness`    steep spots that a table must not end at
 `spline`       a profile as a spline table for kernels
 =============  ======================================================================================
 """

@@ -10,8 +10,8 @@ tip
   of such a file is the flange back (usual for MiniProf; its X = 0 is an upright face in the data). Any other
   file needs the position of its flange back: `flange_back`.
 * A rail's y: if only one of its sides reaches 14 mm below the top, that is the gauge side. Else it is the
-  usual one of the format (two columns: +y is the gauge side; MiniProf: +X; SIMPACK: -y), which cannot be
-  checked: `mirrored` is for the opposite. The lateral origin is that of the file.
+  usual one of the format (two columns: +y is the gauge side; MiniProf: +X; SIMPACK and VAMPIRE: -y), which
+  cannot be checked: `mirrored` is for the opposite. The lateral origin is that of the file.
 * Heights: z = 0 at a wheel's running circle or at a rail's highest point.
 """
 
@@ -21,7 +21,7 @@ from pathlib import Path
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.profiles.formats import SIMPACK
+from hh_exudyn.contact.profiles.points import SIMPACK, VAMPIRE
 from hh_exudyn.conventions import FLANGE_BACK_TO_RUNNING_CIRCLE, GAUGE_MEASURING_DEPTH
 
 PROTRUSION = 10e-3  # m below the tread: anything lower is a flange, or a side of a rail
@@ -66,7 +66,7 @@ def side_coordinates(
     path : Path
         For messages.
     kind, file_format : str
-        Of the profile, as in `formats.RawPoints`.
+        Of the profile, as in `points.RawPoints`.
     y, z : FloatArray
         The curve in the file's axes [m].
     mirrored, flange_back
@@ -135,7 +135,7 @@ def _gauge_side(path: Path, file_format: str, mirrored: bool, y: FloatArray, z: 
     level = z[top] - GAUGE_MEASURING_DEPTH
     left, right = bool(z[y <= y[top]].min() <= level), bool(z[y >= y[top]].min() <= level)
     if left and right:
-        habit = -1.0 if file_format == SIMPACK else 1.0
+        habit = -1.0 if file_format in (SIMPACK, VAMPIRE) else 1.0
         return -habit if mirrored else habit
     if mirrored:
         raise ValueError(

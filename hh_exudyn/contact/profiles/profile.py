@@ -56,27 +56,47 @@ class Profile:
         check_cover(f"{self.kind} profile {self.name!r}", self.kind, self.y, self.z)
 
 
-def gauge_point(rail: Profile) -> float:
-    """Lateral position of the gauge point of a rail, 14 mm below its top on the gauge side [m].
+def gauge_point(rail: Profile, depth: float = GAUGE_MEASURING_DEPTH) -> float:
+    """Lateral position of the gauge point of a rail: its nearest to the other rail down to `depth` [m].
 
-    EN 13848-1: the gauge is measured 14 mm below the running plane.
+    EN 13848-1: the gauge is the least distance of the rails in the zone from the running surface to 14 mm
+    below it. On a new rail that is 14 mm below the top; on a low rail with plastic flow it may be the lip
+    above.
+
+    Parameters
+    ----------
+    rail : Profile
+        The rail.
+    depth : float
+        Depth of the zone [m]: 14 mm, in North America 5/8 in = 15.875 mm.
 
     Raises
     ------
     ValueError
-        If the profile is a wheel's.
+        If the profile is a wheel's, or ends above that depth.
     """
     if rail.kind != "rail":
         raise ValueError(f"profile {rail.name!r} is a wheel's and has no gauge point")
-    return _gauge_crossing(rail.y, rail.z)
+    top = int(np.argmax(rail.z))
+    reached = float(rail.z[top] - rail.z[top:].min())
+    if not 0.0 < depth <= reached:
+        raise ValueError(
+            f"rail profile {rail.name!r} reaches {1e3 * reached:.2f} mm below its top on the gauge side, "
+            f"needed {1e3 * depth:g} mm, where the gauge is measured"
+        )
+    return _gauge_crossing(rail.y, rail.z, depth)
 
 
-def _gauge_crossing(y: FloatArray, z: FloatArray) -> float:
-    """Lateral position of the gauge side 14 mm below the top; the profile must reach that depth."""
+def _gauge_crossing(y: FloatArray, z: FloatArray, depth: float = GAUGE_MEASURING_DEPTH) -> float:
+    """Largest y of the gauge side down to `depth` below the top; the profile must reach that depth.
+
+    As y increases along a profile, that is where it first reaches the depth; below a lip the reader has laid
+    an upright face (`cleaning.upright_face`).
+    """
     top = int(np.argmax(z))
-    depth = z - z[top]
-    below = top + int(np.argmax(depth[top:] <= -GAUGE_MEASURING_DEPTH))
-    share = (-GAUGE_MEASURING_DEPTH - depth[below - 1]) / (depth[below] - depth[below - 1])
+    height = z - z[top]
+    below = top + int(np.argmax(height[top:] <= -depth))
+    share = (-depth - height[below - 1]) / (height[below] - height[below - 1])
     return float(y[below - 1] + (y[below] - y[below - 1]) * share)
 
 

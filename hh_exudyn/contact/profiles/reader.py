@@ -1,8 +1,8 @@
 """Profile files of any known format as profiles in side coordinates, cleaned, and smoothed where rough.
 
 The steps of `read_profile`: points in the file's axes (`formats`), units and gaps, order, duplicates
-(`cleaning`), wheel or rail, side coordinates (`axes`), smoothing (`smoothing`), loops
-and overhangs (`cleaning`), cover (`profile`).
+(`cleaning`), wild points (`wild_points`), wheel or rail, side coordinates (`axes`), smoothing (`smoothing`),
+loops, overhangs and lips (`cleaning`), cover (`profile`).
 """
 
 from dataclasses import dataclass, field
@@ -12,8 +12,10 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.profiles.axes import PROTRUSION, protrusion_is_down, side_coordinates, tread
-from hh_exudyn.contact.profiles.cleaning import distinct, file_order, single_valued
-from hh_exudyn.contact.profiles.formats import RawPoints, read_points
+from hh_exudyn.contact.profiles.cleaning import distinct, file_order, single_valued, upright_face
+from hh_exudyn.contact.profiles.formats import read_points
+from hh_exudyn.contact.profiles.gaps import check_gaps, filled
+from hh_exudyn.contact.profiles.points import RawPoints
 from hh_exudyn.contact.profiles.profile import MIN_POINTS, Profile, check_cover, check_points
 from hh_exudyn.contact.profiles.smoothing import (
     DEVIATION_ALLOWED,
@@ -22,6 +24,7 @@ from hh_exudyn.contact.profiles.smoothing import (
     curvature_ripple,
     smooth,
 )
+from hh_exudyn.contact.profiles.wild_points import too_many, wild_points
 
 SMOOTHING = ("auto", "always", "never")
 
@@ -29,7 +32,6 @@ _MAX_POINTS = 20_000
 _LEAST_WIDTH, _LARGEST_WIDTH = 40.0, 300.0  # mm, of half a rail head to a wheel with its rim
 _WIDEST_RAIL = 90.0  # mm; heads are up to 80 mm wide, wheels from 100
 _FARTHEST = 1000.0  # mm from the file's origin
-_WIDEST_GAP = 10.0  # mm between neighbouring points
 _OTHER_UNITS = {"metres": 1000.0, "inches": 25.4, "micrometres": 0.001}
 _LEAST_DEVIATION, _LARGEST_DEVIATION = 1e-6, 0.5e-3  # m
 
@@ -82,7 +84,7 @@ class ReadProfile:
 
 
 def read_wheel_profile(path: str | Path) -> Profile:
-    """Read a wheel profile: MiniProf, SIMPACK prw or two columns in millimetres, found by content.
+    """Read a wheel profile: MiniProf, SIMPACK prw, VAMPIRE whe or two columns, found by content.
 
     Two columns in side coordinates (y = 0 at the running circle, 70 mm from the flange back, positive to the
     flange; z upwards, so the flange lies at negative z) are taken as they are; ``#`` starts a comment. For
@@ -96,8 +98,8 @@ def read_wheel_profile(path: str | Path) -> Profile:
     return read_profile(path, "wheel").profile
 
 
-def read_rail_profile(path: str | Path, *, mirrored: bool = False) -> Profile:
-    """Read a rail profile: MiniProf, SIMPACK prr or two columns in millimetres, found by content.
+def read_rail_profile(path: str | Path, *, mirrored: bool = False, side: str | None = None) -> Profile:
+    """Read a rail profile: MiniProf, SIMPACK prr, VAMPIRE rai or two columns, found by content.
 
     Two columns in side coordinates (y positive towards the track centre, z upwards, inclination included)
     are taken as they are, with any lateral origin; ``#`` starts a comment. For the others, and for
@@ -109,13 +111,15 @@ def read_rail_profile(path: str | Path, *, mirrored: bool = False) -> Profile:
         The file; its stem names the profile.
     mirrored : bool
         For a rail with both sides down to 14 mm: the gauge side is opposite to the format's usual one.
+    side : str or None
+        As `read_profile`.
 
     Raises
     ------
     ValueError
         As `read_profile`.
     """
-    return read_profile(path, "rail", mirrored=mirrored).profile
+    return read_profile(path, "rail", mirrored=mirrored, side=side).profile
 
 
 def read_profile(
@@ -126,6 +130,7 @@ def read_profile(
     flange_back: float | None = None,
     smoothing: str = "auto",
     deviation: float = DEVIATION_ALLOWED,
+    side: str | None = None,
 ) -> ReadProfile:
     """Read a profile file of any known format, with a report of all changes.
 
@@ -144,26 +149,27 @@ def read_profile(
     deviation : float
         Largest deviation of the smoothed curve from the points [m], 1 um .. 0.5 mm. Larger waves remain: a
         worn or dirty flange may need more.
+    side : str or None
+        ``"left"`` or ``"right"`` of a VAMPIRE file, which holds both; None where they are the same.
 
     Raises
     ------
     ValueError
         A file that is missing, empty, binary, truncated, in another unit than millimetres, of the wrong kind,
-        with numbers that are not finite or lines of another form, with gaps of more than 10 mm, or that
-        does not cover the range of contact. The message names file, line, value and range.
-    OSError
-        No permission to read the file.
+        with numbers that are not finite or lines of another form, with gaps of more than 10 mm, more wild
+        points than a good scan has, two profiles in it, or that does not cover the range of contact. The
+        message names file, line, value and range.
     """
     path = Path(path)
-    _check_options(kind, smoothing, deviation)
-    raw = read_points(path)
+    _check_options(kind, smoothing, deviation, side)
+    raw = read_points(path, side)
     _check_numbers(path, raw)
     notes = list(raw.notes)
-    y, z = _ordered(path, raw, notes)
+    y, z = _used_points(path, raw, notes)
+    left_out = len(raw.y) - len(y)
+    y, z = filled(y, z)
     kind = _kind(path, raw, kind, y, z)
-    different = _distinct(path, y, z, notes)
-    dropped = len(y) - len(different)
-    axes = side_coordinates(path, kind, raw.format, y[different], z[different], mirrored, flange_back)
+    axes = side_coordinates(path, kind, raw.format, y, z, mirrored, flange_back)
     y, z = axes.y, axes.z
     smoothed = None
     ripple = ripple_left = curvature_ripple(y, z)
@@ -172,12 +178,8 @@ def read_profile(
         y, z = smoothed.y, smoothed.z
         ripple_left = curvature_ripple(y, z)
         notes.append(_in_words(smoothed, ripple, ripple_left))
-    single, loops, overhangs = single_valued(y, z, _anchor(kind, y, z))
-    if loops:
-        notes.append(f"{loops} points in loops left out")
-    if overhangs:
-        notes.append(f"{overhangs} points of overhangs cut off")
-    y, z, name = y[single], z[single], f"{kind} profile {path}"
+    y, z, cut = _single_valued(kind, y, z, notes)
+    name = f"{kind} profile {path}"
     check_points(name, "point", list(range(1, len(y) + 1)), y, z)
     shift_z = -float(np.interp(0.0, y, z)) if kind == "wheel" else -float(z.max())
     z = z + shift_z
@@ -186,7 +188,7 @@ def read_profile(
         format=raw.format,
         kind=kind,
         points_read=len(raw.y),
-        points_dropped=dropped + (0 if smoothed else loops + overhangs),
+        points_dropped=left_out + (0 if smoothed else cut),
         mirrored=axes.mirrored,
         upside_down=axes.upside_down,
         shift_y=axes.shift_y,
@@ -200,8 +202,10 @@ def read_profile(
     return ReadProfile(Profile(path.stem, kind, y, z), report)
 
 
-def _check_options(kind: str | None, smoothing: str, deviation: float) -> None:
+def _check_options(kind: str | None, smoothing: str, deviation: float, side: str | None) -> None:
     """Check the keywords of `read_profile` that do not depend on the file."""
+    if side not in (None, "left", "right"):
+        raise ValueError(f"side = {side!r}, allowed 'left', 'right' or None")
     if kind not in (None, "wheel", "rail"):
         raise ValueError(f"kind = {kind!r}, allowed 'wheel', 'rail' or None")
     if smoothing not in SMOOTHING:
@@ -210,20 +214,33 @@ def _check_options(kind: str | None, smoothing: str, deviation: float) -> None:
         raise ValueError(f"deviation = {deviation} m, allowed {_LEAST_DEVIATION} .. {_LARGEST_DEVIATION} m")
 
 
-def _ordered(path: Path, raw: RawPoints, notes: list[str]) -> tuple[FloatArray, FloatArray]:
-    """The points in metres, in the order of the curve, without gaps."""
+def _used_points(path: Path, raw: RawPoints, notes: list[str]) -> tuple[FloatArray, FloatArray]:
+    """The points in metres, in the order of the curve, without duplicates, faces and wild points."""
     order = file_order(raw.y, raw.z)
     if np.any(order != np.arange(len(order))):
         notes.append("points sorted by y: the lines were shuffled")
-    y, z = 1e-3 * raw.y[order], 1e-3 * raw.z[order]
-    gaps = 1e3 * np.hypot(np.diff(y), np.diff(z))
-    if np.any(gaps > _WIDEST_GAP):
-        at = int(np.argmax(gaps > _WIDEST_GAP)) + 1
-        raise ValueError(
-            f"profile {path}, line {raw.lines[order[at]]}: y = {1e3 * y[at]:.6g} mm, z = {1e3 * z[at]:.6g} "
-            f"mm lies {gaps[at - 1]:.4g} mm from the point before, allowed {_WIDEST_GAP:g} mm"
-        )
-    return y, z
+    y, z, lines = 1e-3 * raw.y[order], 1e-3 * raw.z[order], np.array(raw.lines)[order]
+    used = _distinct(path, y, z, notes)
+    used = used[check_gaps(path, y[used], z[used], lines[used], notes)]
+    used = np.delete(used, _wild(path, y[used], z[used], lines[used], notes))
+    return y[used], z[used]
+
+
+def _single_valued(
+    kind: str, y: FloatArray, z: FloatArray, notes: list[str]
+) -> tuple[FloatArray, FloatArray, int]:
+    """The curve as a line z(y), with an upright face below a rail's lip; and how many points are left out."""
+    single, loops, overhangs = single_valued(y, z, _anchor(kind, y, z))
+    if loops:
+        notes.append(f"{loops} points in loops left out")
+    if overhangs:
+        notes.append(f"{overhangs} points of overhangs cut off")
+    face = upright_face(y, z, int(single[-1])) if kind == "rail" else None
+    y, z = y[single], z[single]
+    if face:
+        notes.append(f"upright face below the lip at y = {1e3 * y[-1]:.2f} mm, z = {1e3 * z[-1]:.2f} mm")
+        y, z = np.append(y, face[0]), np.append(z, face[1])
+    return y, z, loops + overhangs
 
 
 def _distinct(path: Path, y: FloatArray, z: FloatArray, notes: list[str]) -> IntArray:
@@ -234,6 +251,22 @@ def _distinct(path: Path, y: FloatArray, z: FloatArray, notes: list[str]) -> Int
     if len(different) < MIN_POINTS:
         raise ValueError(f"profile {path}: {len(different)} different points, at least {MIN_POINTS} needed")
     return different
+
+
+def _wild(path: Path, y: FloatArray, z: FloatArray, lines: IntArray, notes: list[str]) -> list[int]:
+    """Indices of the wild points, noted; ValueError where they are too many."""
+    wild = wild_points(y, z)
+    if not wild:
+        return []
+    named = f"line {lines[wild[0]]} (y = {1e3 * y[wild[0]]:.4g} mm, z = {1e3 * z[wild[0]]:.4g} mm)"
+    if too_many(len(wild), len(y)):
+        raise ValueError(
+            f"profile {path}, {named} and {len(wild) - 1} other points lie off the curve of their neighbours "
+            "by more than 0.05 mm and five times the noise: allowed are 3 of them, or 1 %"
+        )
+    others = f", and lines {', '.join(str(lines[i]) for i in wild[1:])}" if wild[1:] else ""
+    notes.append(f"wild point left out: {named}{others}")
+    return wild
 
 
 def _anchor(kind: str, y: FloatArray, z: FloatArray) -> int:

@@ -12,12 +12,13 @@ from scipy.ndimage import gaussian_filter1d
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile
+from hh_exudyn.contact.profiles.steepness import MAX_SLOPE, envelope, goes_on
 from hh_exudyn.contact.types import SplineTable
 from hh_exudyn.kernel import inlined_kernel
 
-MAX_SLOPE = 5.0  # |dz/dy| where tables end, 78.7 degrees: no wheel in service touches a steeper rail flank
 _RESAMPLING_STEP = 20e-6  # m, of the dense curve that is smoothed
 _RUN_OUT = 0.75e-3  # m, beyond `MAX_SLOPE` on a rail: some nodes
+_LAST = 1.0 + 1e-12  # the last node itself, whose place over the spacing may round up
 _MIN_STEP, _MAX_STEP = 0.05e-3, 2e-3  # m
 _MAX_SMOOTHING = 5e-3  # m
 
@@ -44,13 +45,14 @@ def spline_table(profile: Profile, step: float = 0.25e-3, smoothing: float = 0.5
     Returns
     -------
     SplineTable
-        Ends where the slope reaches `MAX_SLOPE`; a wheel ends at its flange tip, a rail runs out in 0.75 mm
-        of parabola on either side, so that the search finds nodes on both sides of any contact.
+        A wheel ends at its flange tip and at the face of its rim, a rail at its last flanks, where the slope
+        reaches `MAX_SLOPE`, and runs out in 0.75 mm of parabola on either side, so that the search finds
+        nodes on both sides of any contact. Steep spots before the end are those of `steepness.envelope`.
 
     Raises
     ------
     ValueError
-        Step or smoothing out of range.
+        Step or smoothing out of range, or steep spots too high for a table.
     """
     if not _MIN_STEP <= step <= _MAX_STEP:
         raise ValueError(f"step = {step} m, allowed {_MIN_STEP} .. {_MAX_STEP} m")
@@ -60,6 +62,11 @@ def spline_table(profile: Profile, step: float = 0.25e-3, smoothing: float = 0.5
     if smoothing > 0.0:
         y, z = _blur_curvature(y, z, smoothing, _anchor(profile))
     first, last = _single_valued(profile, y, z)
+    if goes_on(profile, y, z, first, last):
+        y, z = _even(*envelope(profile, *_dense_curve(profile)))
+        if smoothing > 0.0:
+            y, z = _blur_curvature(y, z, smoothing, _anchor(profile))
+        first, last = 0, len(y) - 1
     y, z = y[first : last + 1], z[first : last + 1]
     dense = CubicSpline(y, z)
     nodes = np.arange(math.ceil(y[0] / step), math.floor(y[-1] / step) + 1) * step
@@ -115,7 +122,7 @@ def spline_evaluate(table: SplineTable, y: float) -> tuple[float, float, float]:
     """
     u = (y - table.start) * table.per_step
     last = table.z.size - 1
-    if not (u >= 0.0 and u <= last):
+    if not (u >= 0.0 and u <= last * _LAST):
         return math.nan, math.nan, math.nan
     i = np.uint64(min(u, last - 1.0))
     return spline_behind_node(table, i, u - i)
@@ -149,6 +156,13 @@ def _dense_curve(profile: Profile) -> tuple[FloatArray, FloatArray]:
     chord = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(profile.y), np.diff(profile.z)))])
     at = np.linspace(0.0, chord[-1], math.ceil(chord[-1] / _RESAMPLING_STEP) + 1)
     return CubicSpline(chord, profile.y)(at), CubicSpline(chord, profile.z)(at)
+
+
+def _even(y: FloatArray, z: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Points of a line at equal arc length."""
+    length = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(y), np.diff(z)))])
+    at = np.linspace(0.0, length[-1], math.ceil(length[-1] / _RESAMPLING_STEP) + 1)
+    return np.interp(at, length, y), np.interp(at, length, z)
 
 
 def _blur_curvature(

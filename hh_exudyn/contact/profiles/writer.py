@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from hh_exudyn.contact.profiles.formats import MINIPROF, TWO_COLUMN
 from hh_exudyn.contact.profiles.measures import flange_height, flange_steepness, flange_thickness
+from hh_exudyn.contact.profiles.points import MINIPROF, TWO_COLUMN
 from hh_exudyn.contact.profiles.profile import Profile
 from hh_exudyn.conventions import FLANGE_BACK_TO_RUNNING_CIRCLE
 

@@ -16,8 +16,9 @@ from hh_exudyn.contact.profile import (
     read_wheel_profile,
     wheel_profile,
 )
-from hh_exudyn.contact.profiles.spline import MAX_SLOPE, spline_evaluate, spline_table
+from hh_exudyn.contact.profiles.spline import spline_evaluate, spline_table
 from hh_exudyn.contact.profiles.standard import RAIL_HEADS
+from hh_exudyn.contact.profiles.steepness import MAX_SLOPE
 
 MM = 1e-3
 
@@ -243,3 +244,77 @@ def test_unknown_names_list_the_known() -> None:
         spline_table(wheel_profile("S1002"), step=1.0)
     with pytest.raises(ValueError, match="smoothing"):
         spline_table(wheel_profile("S1002"), smoothing=-1.0)
+
+
+def steep_wheel(height: float) -> Profile:
+    """S1002 with an upright spot in its flange face, 10 mm below the tread and `height` high."""
+    y, z = (wheel_profile("S1002").y, wheel_profile("S1002").z)
+    tip = int(np.argmin(z))
+    begin = int(np.argmax((z < -10 * MM) & (np.arange(len(z)) < tip)))
+    end = int(np.argmax((z < -10 * MM - height) & (np.arange(len(z)) < tip)))
+    shifted = y.copy()
+    part = y[begin] + (y[begin : end + 1] - y[begin]) * 1e-3
+    shifted[begin : end + 1] = part
+    shifted[end + 1 :] += part[-1] - y[end]
+    return Profile("steep", "wheel", shifted, z)
+
+
+@pytest.mark.parametrize("height", [0.3, 0.7, 1.1])
+def test_a_steep_spot_does_not_end_the_table(height: float) -> None:
+    """The table reaches the flange tip; beside the spot it is the profile, at it within height / 5 across."""
+    wheel = steep_wheel(height * MM)
+    table = spline_table(wheel)
+    end = table.start + table.step * (len(table.z) - 1)
+    tip = int(np.argmin(wheel.z))
+    assert end == pytest.approx(wheel.y[tip], abs=0.3 * MM)
+    assert table.z[-1] == pytest.approx(wheel.z[tip], abs=0.05 * MM)
+    nodes = table.start + table.step * np.arange(len(table.z))
+    face = (wheel.y > 20 * MM) & (np.arange(len(wheel.y)) < tip) & (wheel.z > wheel.z[tip] + 2 * MM)
+    across = np.interp(-wheel.z[face], -table.z, nodes) - wheel.y[face]
+    assert across.min() > -(height / MAX_SLOPE + 0.02) * MM
+    assert across.max() < 0.1 * MM  # the corners of the spot, rounded like all corners
+    away = np.abs(wheel.z[face] + (10 + 0.5 * height) * MM) > 0.5 * height * MM + 3 * MM
+    assert np.abs(across[away]).max() < 0.06 * MM
+
+
+def test_a_steep_spot_that_is_too_high_is_refused() -> None:
+    with pytest.raises(
+        ValueError,
+        match=r"'steep' is steeper than 78.7 deg about y = .* and goes on behind.*allowed 0.25 mm",
+    ):
+        spline_table(steep_wheel(4 * MM))
+
+
+def test_a_steep_spot_of_a_gauge_face_does_not_end_the_table() -> None:
+    """A side-worn rail: upright for 1 mm below the corner, then at 70 degrees, where a flange touches."""
+    rail = rail_profile("60E1", 1 / 30)
+    top = rail.z > -7 * MM
+    y, z = rail.y[top], rail.z[top]
+    face_z = np.arange(0.1, 1.0, 0.1) * -MM
+    below = np.arange(0.1, 16.0, 0.1) * -MM
+    y = np.concatenate([y, y[-1] - 1e-3 * face_z, y[-1] + 1e-6 - below / np.tan(np.radians(70))])
+    z = np.concatenate([z, z[-1] + face_z, z[-1] - 1 * MM + below])
+    keep = (rail.z <= -7 * MM) & (rail.y < 0)
+    worn = Profile("worn", "rail", np.concatenate([rail.y[keep], y]), np.concatenate([rail.z[keep], z]))
+    table = spline_table(worn)
+    nodes = table.start + table.step * np.arange(len(table.z))
+    assert nodes[-1] > worn.y[-1] - 0.3 * MM
+    deep = worn.z < -11 * MM
+    deep &= worn.y > 0
+    gauge_side = nodes > 0.0
+    across = np.interp(-worn.z[deep], -table.z[gauge_side], nodes[gauge_side]) - worn.y[deep]
+    assert np.abs(across[:-5]).max() < 0.02 * MM
+
+
+@pytest.mark.parametrize("name", ["steep_flange.txt", "../profiles/Car7422_0001r.whl"])
+def test_shared_steep_flanges_reach_their_tips(shared_cases: Path, name: str) -> None:
+    wheel = read_wheel_profile(shared_cases / name)
+    table = spline_table(wheel)
+    tip = int(np.argmin(np.where(wheel.y > 0, wheel.z, 1.0)))
+    nodes = table.start + table.step * np.arange(len(table.z))
+    assert nodes[-1] == pytest.approx(wheel.y[tip], abs=0.3 * MM)
+    face = (wheel.z < -4 * MM) & (wheel.y > 20 * MM) & (np.arange(len(wheel.y)) <= tip)
+    face &= wheel.z > wheel.z[tip] + 2 * MM
+    flange = nodes > 20 * MM
+    across = np.interp(-wheel.z[face], -table.z[flange], nodes[flange]) - wheel.y[face]
+    assert -0.25 * MM < across.min() < across.max() < 0.05 * MM

@@ -290,7 +290,7 @@ def test_other_bad_input_is_told(tmp_path: Path) -> None:
             read_profile(wheel, **keywords)
     with pytest.raises(ValueError, match="allowed for wheels"):
         read_profile(written(tmp_path / "r.txt", RAIL_TEXT), flange_back=0.07)
-    with pytest.raises(ValueError, match="file not found"):
+    with pytest.raises(ValueError, match="is a folder, allowed is a file"):
         read_profile(tmp_path)
 
 

@@ -248,15 +248,15 @@ def test_section_at() -> None:
 @pytest.mark.parametrize(
     ("make", "message"),
     [
-        (lambda: Curve(10.0, 99.0, "left"), r"radius of a Curve is 99.0 m, allowed are 100 to 20000 m"),
+        (lambda: Curve(10.0, 99.0, "left"), r"radius of a Curve is 99.0 m, allowed are 100 to 100000 m"),
         (lambda: Curve(10.0, math.nan, "left"), r"radius of a Curve is nan m"),
         (lambda: Curve(10.0, 500.0, "left", cant=0.2), r"cant of a Curve is 0.2 m, allowed are 0 to 0.18 m"),
         (lambda: Curve(10.0, 500.0, "left", cant=-0.1), r"cant of a Curve is -0.1 m"),
         (lambda: Curve(10.0, 500.0, "up"), r"hand of a Curve is 'up', allowed are \"left\" and \"right\""),
         (lambda: Straight(0.0), r"length of a Straight is 0.0 m"),
-        (lambda: Straight(10.0, gauge=1.6), r"gauge of a Straight is 1.6 m, allowed are 1.4 to 1.5 m"),
+        (lambda: Straight(10.0, gauge=1.8), r"gauge of a Straight is 1.8 m, allowed are 0.9 to 1.75 m"),
         (lambda: Transition(-3.0), r"length of a Transition is -3.0 m"),
-        (lambda: Transition(3.0, gauge=1.0), r"gauge of a Transition is 1.0 m"),
+        (lambda: Transition(3.0, gauge=0.8), r"gauge of a Transition is 0.8 m"),
         (lambda: Alignment.from_sections([]), r"sections is empty"),
         (
             lambda: Alignment.from_sections([Straight(9.0)], step=0.0),

@@ -35,7 +35,10 @@ def alignments(draw: st.DrawFn) -> Alignment:
     bodies = draw(st.lists(st.one_of(CURVE, STRAIGHT), min_size=2, max_size=4))
     sections: list[Section] = [bodies[0]]
     for body in bodies[1:]:
-        length, shape = draw(st.floats(15.0, 120.0)), draw(st.sampled_from(SHAPES))
+        length, shape = (
+            draw(st.floats(15.0, 120.0)),
+            draw(st.sampled_from(SHAPES[:-1])),
+        )  # a cubic needs a straight
         sections += [Transition(length, shape=shape), body]
     slopes = draw(st.lists(st.floats(-0.02, 0.02), min_size=1, max_size=3))
     share = math.fsum(section.length for section in sections) / (2 * len(slopes))
@@ -271,10 +274,6 @@ def test_ramps_are_transitions_with_their_ends_written_out() -> None:
         (lambda: Grade(100.0, 0.06), r"gradient of a Grade is 0.06 \(slope\), allowed are -0.05 to 0.05"),
         (lambda: Grade(4.0, 0.0, 0.01), r"vertical radius of a Grade is 400 m, allowed are 500 m and more"),
         (lambda: Ramp(9.0, (0.0, 0.02)), r"curvature of a Ramp is 0.02 1/m, allowed are -0.01 to 0.01 1/m"),
-        (
-            lambda: Ramp(9.0, (0.0, 0.002), (0.01, 0.1)),
-            r"cant of a Ramp is 0.01 m where its curvature is 0.0",
-        ),
         (
             lambda: Ramp(9.0, (0.0, -0.002), (0.0, 0.1)),
             r"cant of a Ramp is 0.1 m where its curvature is -0.002",

@@ -103,9 +103,6 @@ def test_gaps_and_units_are_found(tmp_path: Path, car: Irregularity) -> None:
         metres[:, column] *= 1e-3
         with pytest.raises(ValueError, match=rf"column {name}: .* mm is the largest of its column.*metres\?"):
             read_irregularity(written(tmp_path, [",".join(map(str, row)) for row in metres]))
-    absolute = rows + np.array([0.0, 0.0, 0.0, 1435.0, 0.0])
-    with pytest.raises(ValueError, match=r"column gauge: 143\d.* mm is the gauge itself"):
-        read_irregularity(written(tmp_path, [",".join(map(str, row)) for row in absolute]))
     for factor, guess in ((1e-3, "kilometres"), (1e3, "millimetres")):
         other = rows * [factor, 1.0, 1.0, 1.0, 1.0]
         with pytest.raises(ValueError, match=rf"column position: the spacing is .*{guess}\?"):
@@ -113,7 +110,104 @@ def test_gaps_and_units_are_found(tmp_path: Path, car: Irregularity) -> None:
     with pytest.raises(ValueError, match=r"5 lines of numbers, at least 10"):
         read_irregularity(written(tmp_path, good[:5]))
     (tmp_path / "car.csv").write_bytes(b"\xff\xfe\x00\x01")
-    with pytest.raises(ValueError, match=r"not a text file in UTF-8"):
+    with pytest.raises(ValueError, match=r"line 1: 1 columns, there must be 5"):
         read_irregularity(tmp_path / "car.csv")
     with pytest.raises(ValueError, match=r"signs is \(1, 0, 1, 1\)"):
         read_irregularity(tmp_path / "car.csv", signs=(1, 0, 1, 1))
+
+
+def values_of(folder: Path, lines: list[str]) -> np.ndarray:
+    return read_irregularity(written(folder, lines)).values
+
+
+def shared_signals(rows: np.ndarray) -> np.ndarray:
+    """The four signals from km, level left and right, alignment left and right, gauge, cross-level."""
+    return 1e-3 * np.column_stack(
+        [rows[:, 1:3].mean(axis=1), rows[:, 3:5].mean(axis=1), rows[:, 5] - 1435.0, -rows[:, 6]]
+    )
+
+
+LEFT_RIGHT = (
+    "km,longitudinal level left,longitudinal level right,alignment left,alignment right,gauge,cross level"
+)
+
+
+def recording() -> np.ndarray:
+    """60 rows of a recording car that counts cross-level positive where the left rail is higher."""
+    s = 0.25 * np.arange(60)
+    left, right = 3.0 * np.sin(s / 3.0), 2.5 * np.sin(s / 3.0 - 0.4)
+    align = 1.5 * np.cos(s / 4.0)
+    gauge = 1435.0 + align - 0.7 * align
+    return np.column_stack([12.345 + 1e-3 * s, left, right, align, 0.7 * align, gauge, left - right])
+
+
+def text_of(rows: np.ndarray, separator: str = ",") -> list[str]:
+    return [separator.join(f"{value:.6f}" for value in row) for row in rows]
+
+
+def test_left_and_right_rail_absolute_gauge_and_kilometres(tmp_path: Path) -> None:
+    rows = recording()
+    read = read_irregularity(written(tmp_path, [LEFT_RIGHT, *text_of(rows)]))
+    assert read.start == pytest.approx(12345.0)
+    assert read.step == pytest.approx(0.25)
+    assert np.abs(read.values - shared_signals(rows)).max() < 1e-8
+    assert np.abs(read.values[:, 3] - 1e-3 * (rows[:, 2] - rows[:, 1])).max() < 1e-8  # the right rail higher
+
+
+def test_the_same_recording_in_other_forms(tmp_path: Path) -> None:
+    """Decimal commas, units in a second line, other columns, no columns of differences, falling chainage."""
+    rows = recording()
+    expected = shared_signals(rows)
+
+    def same(values: np.ndarray) -> None:
+        assert np.abs(values - expected).max() < 1e-8
+
+    decimal = [line.replace(".", ",") for line in text_of(rows, ";")]
+    same(values_of(tmp_path, [LEFT_RIGHT.replace(",", ";"), *decimal]))
+    tabs = [line.replace(".", ",") for line in text_of(rows, "\t")]
+    units = "[km]\tmm\tmm\tmm\tmm\tmm\tmm"
+    same(values_of(tmp_path, [LEFT_RIGHT.replace(",", "\t"), units, *tabs]))
+    more = [f"{line},80.0,fine" for line in text_of(rows)]
+    same(values_of(tmp_path, [LEFT_RIGHT + ",speed,remark", *more]))
+    bare = text_of(rows[:, :5])
+    header = "Chainage [km],Level L [mm],Level R [mm],Alignment L [mm],Alignment R [mm]"
+    same(values_of(tmp_path, [header, *bare]))
+    falling = rows.copy()
+    falling[:, 0] = 20.0 - falling[:, 0]
+    back = read_irregularity(written(tmp_path, [LEFT_RIGHT, *text_of(falling)]))
+    assert back.start == pytest.approx(7655.0)
+    same(back.values)
+    metres = rows.copy()
+    metres[:, 1:] *= 1e-3
+    header = "km," + ",".join(f"{name} [m]" for name in LEFT_RIGHT.split(",")[1:])
+    same(values_of(tmp_path, [header, *(",".join(map(repr, row.tolist())) for row in metres)]))
+
+
+def test_gauge_is_counted_from_another_nominal_gauge(tmp_path: Path) -> None:
+    rows = recording()
+    rows[:, 5] += 1067.0 - 1435.0
+    read = read_irregularity(written(tmp_path, [LEFT_RIGHT, *text_of(rows)]), nominal_gauge=1.067)
+    assert np.abs(read.values[:, 2] - 1e-3 * (rows[:, 5] - 1067.0)).max() < 1e-8
+    with pytest.raises(ValueError, match=r"column gauge: 106\d.* mm, allowed are -100 to 100 mm"):
+        read_irregularity(tmp_path / "car.csv")
+
+
+def test_headers_that_do_not_suffice_are_told(tmp_path: Path) -> None:
+    lines = text_of(recording())
+    for header, message in (
+        (LEFT_RIGHT.replace("level left", "level of it"), r"line 1: the header names km, .*; it must name"),
+        (LEFT_RIGHT.replace("level right", "level left"), r"line 1: the header names km"),
+        (LEFT_RIGHT + ",gauge", r"line 1: 2 columns hold the gauge, allowed is 1"),
+    ):
+        more = ",0" if header.endswith(",gauge") else ""
+        with pytest.raises(ValueError, match=message):
+            read_irregularity(written(tmp_path, [header, *(line + more for line in lines)]))
+
+
+def test_the_shared_recording_is_converted(shared_cases: Path) -> None:
+    rows = np.loadtxt(shared_cases / "track_left_right.csv", delimiter=",", skiprows=1)
+    read = read_irregularity(shared_cases / "track_left_right.csv")
+    assert np.abs(read.values - shared_signals(rows)).max() < 1e-9
+    assert np.abs(read.values[:, 3] - 1e-3 * (rows[:, 2] - rows[:, 1])).max() < 0.011e-3
+    assert read.start == pytest.approx(12345.0)
+    assert read.step == pytest.approx(0.25)
