@@ -15,8 +15,10 @@
 `control`       controllers in the loop: driver and steering of a vehicle with drives
 `watch`         derailment, divergence, a step too large: reasons to stop a run
 `chatter`       wheels whose contact jumps from place to place, counted in windows
-`interruption`  Ctrl-C while Exudyn integrates
+`interruption`  Ctrl-C and SIGTERM while Exudyn integrates
 `recording`     rows of the logs
+`checkpoint`    state of a run between two segments of its integration, to resume from
+`provenance`    what a run was made from and with
 `simulate`      `simulate(case, directory)`
 `once`          `simulate_once`: finished runs of a study are reused
 `hysteresis`    force over deflection of a bogie's friction elements in slow cycles
