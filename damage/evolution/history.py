@@ -3,10 +3,11 @@
     directory/step-00000.npz    the wheel before the first step
     directory/step-00001.npz    after it: profile (y, z), radius, distance, measures
 
-A file is renamed into place when it is complete, so a killed loop leaves all finished steps.
+A file is renamed into place when it is complete and on disk, so a killed loop leaves all finished steps.
 """
 
-import os
+import zipfile
+import zlib
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,7 @@ import pyarrow
 
 from damage.evolution.measures import WheelMeasures
 from hh_exudyn.contact.profile import Profile
+from hh_exudyn.log.parts import write_whole
 
 _PATTERN = "step-{:05d}.npz"
 
@@ -89,13 +91,11 @@ def write_step(directory: Path, number: int, step: WearStep) -> None:
     """
     directory.mkdir(parents=True, exist_ok=True)
     path = directory / _PATTERN.format(number)
-    unfinished = path.with_suffix(".tmp")
     numbers = {"distance": step.distance, "radius": step.radius, "depth": step.depth}
     numbers |= asdict(step.measures)
     arrays: dict[str, Any] = {key: np.array(value) for key, value in numbers.items()}
-    with unfinished.open("wb") as file:
-        np.savez(file, name=np.array(step.profile.name), y=step.profile.y, z=step.profile.z, **arrays)
-    os.replace(unfinished, path)
+    arrays |= {"name": np.array(step.profile.name), "y": step.profile.y, "z": step.profile.z}
+    write_whole(path, lambda stream: np.savez(stream, **arrays))
 
 
 def read_history(directory: Path | str) -> WearHistory:
@@ -104,7 +104,7 @@ def read_history(directory: Path | str) -> WearHistory:
     Raises
     ------
     ValueError
-        A file is not one of a step, or a step is missing between others.
+        A file is not one of a step or is broken, or a step is missing between others.
     """
     directory = Path(directory)
     paths = sorted(directory.glob("step-*.npz"))
@@ -128,5 +128,8 @@ def _read_step(path: Path) -> WearStep:
             depth=float(values["depth"]),
             measures=measures,
         )
-    except (KeyError, ValueError, OSError, EOFError) as error:
-        raise ValueError(f"{path}: not a step of a wheel's life ({error})") from None
+    except (KeyError, ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error) as error:
+        raise ValueError(
+            f"{path}: not a step of a wheel's life, or a broken one ({error}); delete it and all later steps, "
+            "and the evolution goes on from the step before"
+        ) from None

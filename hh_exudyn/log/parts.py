@@ -26,6 +26,7 @@ class BrokenPart(ValueError):
             "open_run(directory, skip_broken_parts=True)"
         )
         self.path = path
+        self.reason = reason
 
 
 def part_path(directory: Path, log: str, number: int) -> Path:

@@ -8,6 +8,7 @@ watch's histories, controllers, and the number of rows of each log.
 
 import json
 import zipfile
+import zlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -83,7 +84,7 @@ def read_checkpoint(directory: Path) -> Checkpoint | None:
         with np.load(path) as data:
             arrays = {name: data[name] for name in data.files}
         facts = json.loads(str(arrays.pop(_FACTS)))
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, zlib.error) as error:
         raise ValueError(
             f"{path}: is broken ({error}); delete it, and the run begins at its start again"
         ) from None
