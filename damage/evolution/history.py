@@ -130,6 +130,6 @@ def _read_step(path: Path) -> WearStep:
         )
     except (KeyError, ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error) as error:
         raise ValueError(
-            f"{path}: not a step of a wheel's life, or a broken one ({error}); delete it and all later steps, "
-            "and the evolution goes on from the step before"
+            f"{path}: not a step of a wheel's life, or a broken one ({error}); delete it and all later "
+            "steps, and the evolution goes on from the step before"
         ) from None

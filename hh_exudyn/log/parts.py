@@ -5,6 +5,7 @@ brought to the disk too. So after a kill, a full disk or a power failure every f
 complete. Parts have a checksum of every page, which is verified when they are read.
 """
 
+import errno
 import os
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -82,9 +83,26 @@ def write_text(path: Path, text: str) -> None:
     write_bytes(path, text.encode("utf-8"))
 
 
-def write_bytes(path: Path, content: bytes) -> None:
-    """Write a file, as `write_whole` does."""
-    write_whole(path, lambda stream: stream.write(content))
+def write_bytes(path: Path, content: bytes, read_back: bool = False) -> None:
+    """Write a file, as `write_whole` does.
+
+    Parameters
+    ----------
+    path
+        Of the file.
+    content
+        All of it.
+    read_back
+        Compare the file with its content before it gets its name; OSError where it differs.
+    """
+
+    def write(stream: BinaryIO) -> None:
+        stream.write(content)
+        stream.flush()
+        if read_back and Path(stream.name).read_bytes() != content:
+            raise OSError(errno.EIO, "does not read back as it was written")
+
+    write_whole(path, write)
 
 
 def sync_folder(folder: Path) -> None:
