@@ -16,6 +16,7 @@ import pyarrow.parquet
 
 PART_PATTERN = "part-*.parquet"  # finished parts; temporary files end differently and are never read
 TEMPORARY_SUFFIX = ".tmp"
+LOG_KEY = b"log"  # of a part's metadata: the log that it belongs to
 
 
 class BrokenPart(ValueError):
@@ -147,9 +148,13 @@ def part_columns(path: Path) -> list[str]:
     if not path.is_file():
         raise BrokenPart(path, "is missing, and there are later ones")
     try:
-        return list(pyarrow.parquet.read_schema(path).names)
-    except (pyarrow.ArrowException, OSError) as error:
+        schema = pyarrow.parquet.read_schema(path)
+    except (pyarrow.ArrowException, OSError, ValueError) as error:  # of a broken text as well
         raise BrokenPart(path, _reason(error)) from None
+    log = (schema.metadata or {}).get(LOG_KEY)
+    if log is not None and log.decode("utf-8", "replace") != path.parent.name:
+        raise BrokenPart(path, f"is a part of the log {log.decode('utf-8', 'replace')!r}")
+    return list(schema.names)
 
 
 def read_part(path: Path, columns: Sequence[str]) -> pyarrow.Table:
@@ -167,7 +172,7 @@ def read_part(path: Path, columns: Sequence[str]) -> pyarrow.Table:
     try:
         with pyarrow.parquet.ParquetFile(path, page_checksum_verification=True) as file:
             return file.read(columns=list(columns)).select(list(columns))
-    except (pyarrow.ArrowException, OSError) as error:
+    except (pyarrow.ArrowException, OSError, ValueError) as error:  # of a broken text as well
         raise BrokenPart(path, _reason(error)) from None
 
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from hh_exudyn.log.channels import LOGS, Column
 from hh_exudyn.log.lock import locked
-from hh_exudyn.log.parts import TEMPORARY_SUFFIX, part_path, part_paths, read_part, write_part
+from hh_exudyn.log.parts import LOG_KEY, TEMPORARY_SUFFIX, part_path, part_paths, read_part, write_part
 
 KEEP_INTERVAL = 0.7  # s of wall time after which rows are on disk; with the writing less than 1 s
 
@@ -286,7 +286,7 @@ class Recorder:
             self._arrow_column(log, column, rows[:, index]) for index, column in enumerate(buffer.columns)
         ]
         table = pyarrow.table(arrays, names=[column.name for column in buffer.columns])
-        table = table.replace_schema_metadata(self._metadata)
+        table = table.replace_schema_metadata({**self._metadata, LOG_KEY: log.encode()})
         texts = [column.name for column in buffer.columns if column.kind == "string"]
         write_part(part_path(self.directory, log, buffer.parts), table, texts)
         buffer.written = buffer.count
