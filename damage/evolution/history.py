@@ -6,6 +6,7 @@
 A file is renamed into place when it is complete and on disk, so a killed loop leaves all finished steps.
 """
 
+import io
 import zipfile
 import zlib
 from dataclasses import asdict, dataclass
@@ -118,7 +119,7 @@ def read_history(directory: Path | str) -> WearHistory:
 
 def _read_step(path: Path) -> WearStep:
     try:
-        with np.load(path) as data:
+        with np.load(io.BytesIO(path.read_bytes())) as data:
             values = {name: data[name] for name in data.files}
         measures = WheelMeasures(**{name: float(values[name]) for name in WheelMeasures.__annotations__})
         return WearStep(

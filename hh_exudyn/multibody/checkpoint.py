@@ -6,6 +6,7 @@ track, creepages that lag), sliders, the whole work space with the guesses that 
 watch's histories, controllers, and the number of rows of each log.
 """
 
+import io
 import json
 import zipfile
 import zlib
@@ -81,7 +82,7 @@ def read_checkpoint(directory: Path) -> Checkpoint | None:
     if not path.is_file():
         return None
     try:
-        with np.load(path) as data:
+        with np.load(io.BytesIO(path.read_bytes())) as data:
             arrays = {name: data[name] for name in data.files}
         facts = json.loads(str(arrays.pop(_FACTS)))
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, zlib.error) as error:
