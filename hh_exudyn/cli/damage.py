@@ -20,6 +20,7 @@ from hh_exudyn.cli.evaluation import (
     complete_folder,
     law_and_steel,
     settings,
+    write_above,
     write_settings,
 )
 from hh_exudyn.cli.names import NamesInHelp
@@ -188,7 +189,7 @@ def show_damage(
         for name, table in tables.items():
             pyarrow.csv.write_csv(table, partial / name)
         for name, figure in figures.items():
-            figure.suptitle(label, fontsize=7, color="0.35")
+            write_above(figure, label)
             figure.savefig(partial / name, dpi=output.DOTS_PER_INCH)
         write_settings(partial, settings(run, report, surface, distance_km))
     output.print_left_out(run)

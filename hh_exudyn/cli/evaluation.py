@@ -14,6 +14,8 @@ from hh_exudyn import __version__
 from hh_exudyn.cli.inputs import BadInput, require_new_folder
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from damage.report import DamageReport
     from hh_exudyn.log.store import Run
 
@@ -74,6 +76,18 @@ def law_and_steel(report: "DamageReport", surface: str | None) -> str:
     model = report.model
     state = f" ({surface})" if surface else ""
     return f"{model.law.name}{state}, {model.material.name}, {model.theory} on {model.normal}"
+
+
+def write_above(figure: "Figure", text: str) -> None:
+    """Write a line into a strip of its own above a figure, which becomes that much higher."""
+    strip = 0.22  # inches
+    width, height = figure.get_size_inches()
+    figure.set_size_inches(width, height + strip)
+    share = strip / (height + strip)
+    engine = figure.get_layout_engine()
+    if engine is not None:
+        engine.set(rect=(0.0, 0.0, 1.0, 1.0 - share))  # type: ignore[call-arg]
+    figure.text(0.99, 1.0 - 0.5 * share, text, ha="right", va="center", fontsize=7, color="0.35")
 
 
 def settings(

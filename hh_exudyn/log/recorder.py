@@ -202,7 +202,7 @@ class Recorder:
         """Write all rows; the last part of every log goes on growing."""
         for log, buffer in self._buffers.items():
             if buffer.count > buffer.written:
-                self._write(log, buffer)
+                self._write(log, buffer, growing=True)
         self._next_keeping = time.monotonic() + KEEP_INTERVAL
 
     @property
@@ -213,7 +213,9 @@ class Recorder:
     def close(self) -> None:
         """Write the buffered rows; further rows raise ValueError."""
         if not self._closed:
-            self.flush()
+            for log, buffer in self._buffers.items():
+                if buffer.count:
+                    self._write(log, buffer)
             self._closed = True
             self._buffers.clear()
             self._lock.close()
@@ -279,7 +281,7 @@ class Recorder:
                 names.append(text)
         return np.array([names.index(text) for text in array.tolist()], dtype=np.float64)
 
-    def _write(self, log: str, buffer: _Buffer) -> None:
+    def _write(self, log: str, buffer: _Buffer, growing: bool = False) -> None:
         """Write the growing part, in place of the shorter one on disk."""
         rows = buffer.rows[: buffer.count]
         arrays = [
@@ -288,7 +290,7 @@ class Recorder:
         table = pyarrow.table(arrays, names=[column.name for column in buffer.columns])
         table = table.replace_schema_metadata({**self._metadata, LOG_KEY: log.encode()})
         texts = [column.name for column in buffer.columns if column.kind == "string"]
-        write_part(part_path(self.directory, log, buffer.parts), table, texts)
+        write_part(part_path(self.directory, log, buffer.parts), table, texts, growing)
         buffer.written = buffer.count
 
     def _arrow_column(self, log: str, column: Column, values: NDArray[np.float64]) -> pyarrow.Array:
