@@ -87,6 +87,8 @@ def write_above(figure: "Figure", text: str) -> None:
     engine = figure.get_layout_engine()
     if engine is not None:
         engine.set(rect=(0.0, 0.0, 1.0, 1.0 - share))  # type: ignore[call-arg]
+    for legend in figure.legends:  # outside of the axes: its place follows from the whole figure
+        legend.set_bbox_to_anchor((0.0, 0.0, 1.0, 1.0 - share), transform=figure.transFigure)
     figure.text(0.99, 1.0 - 0.5 * share, text, ha="right", va="center", fontsize=7, color="0.35")
 
 
