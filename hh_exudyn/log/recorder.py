@@ -157,6 +157,7 @@ class Recorder:
             buffer.count += here
             done += here
             if buffer.count == self._rows_per_part:  # also where writing has failed before
+                self._flush(but=log)  # no log ends long before the others, if this is the last moment
                 self._write(log, buffer)
                 buffer.parts += 1
                 buffer.count = buffer.written = 0
@@ -200,10 +201,14 @@ class Recorder:
 
     def flush(self) -> None:
         """Write all rows; the last part of every log goes on growing."""
-        for log, buffer in self._buffers.items():
-            if buffer.count > buffer.written:
-                self._write(log, buffer, growing=True)
+        self._flush()
         self._next_keeping = time.monotonic() + KEEP_INTERVAL
+
+    def _flush(self, but: str = "") -> None:
+        """Write the rows of all logs but one, in the order in which the logs were begun."""
+        for log, buffer in self._buffers.items():
+            if log != but and buffer.count > buffer.written:
+                self._write(log, buffer, growing=True)
 
     @property
     def totals(self) -> dict[str, int]:

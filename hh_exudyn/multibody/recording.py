@@ -61,10 +61,10 @@ class LogWriter:
         if math.isnan(self.potential_at_start):
             self.potential_at_start = float(self._energy[0, EnergyColumn.potential_energy])
         self._energy[0, EnergyColumn.potential_energy] -= self.potential_at_start
-        self.recorder.append_rows("contact", self._contact[:count])
+        # the contact log last, also on disk: playback needs the motion at all of its times
         self.recorder.append_rows("motion", self._motion)
         self.recorder.append_rows("energy", self._energy)
-        self.recorder.keep()
+        self.recorder.append_rows("contact", self._contact[:count])
 
 
 def _places(vehicle: Vehicle) -> IntArray:

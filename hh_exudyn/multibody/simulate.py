@@ -363,6 +363,7 @@ class _Integration:
         self._numbers["position"] = float(self._work.arc_length[0])
         if self._steps % self._steps_per_output == 0:
             self._log.write(time, v)
+            self._log.recorder.keep()
         if self._control is None or self._steps % self._control.steps_per_sample:
             return False
         self._control.act(time, self._log.recorder)
