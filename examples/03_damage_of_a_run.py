@@ -14,14 +14,14 @@ from damage.figures.profile_panels import fatigue_figure, wear_figure
 from damage.figures.working_points import shakedown_figure
 from damage.material import ER7, ER9
 from damage.report import assess
-from hh_exudyn.case import Case
+from hh_exudyn.case import read_case
 from hh_exudyn.log.store import open_run
 
 
 def main() -> None:
     run = open_run(sys.argv[1])
     folder = Path(sys.argv[2] if len(sys.argv) > 2 else ".")
-    case = Case.from_toml(run.case_text)
+    case = read_case(run.directory / "case.toml")
     wheel, contact = case.wheel, case.contact_model()  # strips of the run are rebuilt from them
 
     for steel in (ER7, ER9):

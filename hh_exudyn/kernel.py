@@ -5,7 +5,8 @@ warning. Here the cache folder of a kernel is named by the hash of every source 
 files, in every subfolder, of its own part of the project and of those that part may import (`_PARTS`). Any
 change of one starts an empty cache. It lies under the user's cache directory; where that cannot be written,
 kernels are compiled in every process and one warning says so. Folders not used for some time are
-deleted. Two processes may compile at once, and one may be killed: numba renames whole files into place.
+deleted. Two processes may compile at once, and one may be killed: numba renames whole files into place. A
+file that is broken all the same (`_KernelCache`) is compiled anew.
 
 A kernel never raises: it returns a status or NaN, and its caller raises with wheel, time and position.
 """
@@ -13,18 +14,21 @@ A kernel never raises: it returns a status or NaN, and its caller raises with wh
 import hashlib
 import math
 import os
+import pickle
 import shutil
 import time
 import warnings
 from collections.abc import Callable
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numba
 import numpy as np
 from numba import types
 from numba.core import cgutils
+from numba.core.caching import FunctionCache, IndexDataCacheFile
 from numba.experimental import (
     function_type,  # noqa: F401 (registers the types that `kernel_value` needs)
     structref,
@@ -123,9 +127,87 @@ def _cache_folder(part: str) -> Path | None:
     if base is None:
         return None
     folder = base / source_hash(part)
-    folder.mkdir(exist_ok=True)
-    os.utime(folder)
+    try:
+        folder.mkdir(exist_ok=True)
+        os.utime(folder)
+    except OSError as error:
+        _warn_once("full", f"no kernel cache: {folder} cannot be made ({error.strerror})")
+        return None
     return folder
+
+
+_warned: set[str] = set()
+
+
+def _warn_once(what: str, text: str) -> None:
+    """One warning a process of a kind."""
+    if what not in _warned:
+        _warned.add(what)
+        warnings.warn(text, RuntimeWarning, stacklevel=4)
+
+
+class _CheckedFiles(IndexDataCacheFile):
+    """Numba's index and data files of one kernel; every data file begins with the hash of its content.
+
+    Machine code with a hole, as a power failure may leave it, could be loaded otherwise, and crash.
+    """
+
+    _DIGEST = 16  # bytes
+
+    def _save_data(self, name: str, data: Any) -> None:
+        content = self._dump(data)
+        with self._open_for_write(self._data_path(name)) as stream:
+            stream.write(self._hash(content) + content)
+
+    def _load_data(self, name: str) -> Any:
+        stored = Path(self._data_path(name)).read_bytes()
+        if self._hash(stored[self._DIGEST :]) != stored[: self._DIGEST]:
+            raise ValueError(f"{name} is not what was written")
+        return pickle.loads(stored[self._DIGEST :])
+
+    def _hash(self, content: bytes) -> bytes:
+        return hashlib.blake2b(content, digest_size=self._DIGEST).digest()
+
+
+class _KernelCache(FunctionCache):
+    """Numba's cache of one kernel, that outlives broken files and full disks.
+
+    What is broken is compiled again, and what cannot be written is not cached. One warning a process says so.
+    """
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        super().__init__(function)
+        locator = self._impl.locator
+        self._cache_file = _CheckedFiles(
+            cache_path=self.cache_path,
+            filename_base=self._impl.filename_base,
+            source_stamp=locator.get_source_stamp(),
+        )
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """The compiled kernel for a signature; None where it must be compiled."""
+        try:
+            return super().load_overload(sig, target_context)
+        except Exception as error:  # a broken pickle may raise any
+            _warn_once(
+                "broken",
+                f"the kernel cache in {self.cache_path} is broken ({type(error).__name__}): what is "
+                "broken is compiled again",
+            )
+            with suppress(OSError):
+                self.flush()  # an empty index; the data files are written over
+            return None
+
+    def save_overload(self, sig: Any, data: Any) -> None:
+        """Write a compiled kernel."""
+        try:
+            super().save_overload(sig, data)
+        except OSError as error:
+            _warn_once(
+                "full",
+                f"no kernel cache: {self.cache_path} cannot be written ({error.strerror}); kernels are "
+                "compiled anew in every process",
+            )
 
 
 # Code written out for four or eight adjacent numbers becomes vector instructions, which is off by default in
@@ -138,8 +220,13 @@ def _compiled(function: F, **options: bool) -> F:
     folder = _cache_folder(_part_of(function.__module__))
     if folder is not None:
         numba.config.CACHE_DIR = str(folder)  # numba reads it here, where the function is decorated
-    result: F = numba.njit(cache=folder is not None, error_model="numpy", nogil=True, **options)(function)
-    return result
+    result: Any = numba.njit(error_model="numpy", nogil=True, **options)(function)
+    if folder is not None and not numba.config.DISABLE_JIT:
+        try:
+            result._cache = _KernelCache(function)  # as `enable_caching` of numba sets its own
+        except RuntimeError as error:  # numba can make no file there
+            _warn_once("full", f"no kernel cache: {error}")
+    return cast(F, result)
 
 
 def kernel(function: F) -> F:

@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -182,6 +183,51 @@ def test_cache_that_cannot_be_written_falls_back_with_one_warning(project: Path,
     assert result.stdout.split() == ["7.0", "0"], result.stderr
     assert result.stderr.count("RuntimeWarning") == 1
     assert "XDG_CACHE_HOME" in result.stderr
+
+
+def _cut(path: Path) -> None:
+    path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
+
+
+def _hole(path: Path) -> None:
+    content = bytearray(path.read_bytes())
+    content[len(content) // 2 : len(content) // 2 + 64] = bytes(64)
+    path.write_bytes(content)
+
+
+def _empty(path: Path) -> None:
+    path.write_bytes(b"")
+
+
+@pytest.mark.parametrize(
+    ("suffix", "breaking"),
+    [(".nbi", _cut), (".nbi", _empty), (".nbc", _cut), (".nbc", _hole), (".nbc", _empty)],
+)
+def test_broken_cache_is_compiled_again_with_one_warning(
+    project: Path, tmp_path: Path, suffix: str, breaking: Callable[[Path], None]
+) -> None:
+    cache = tmp_path / "cache"
+    run(project, CALL, cache)
+    files = [path for path in cache.rglob("*") if path.suffix == suffix]
+    assert len(files) == 2  # of two kernels
+    for path in files:
+        breaking(path)
+    broken = run(project, CALL, cache)
+    assert broken.stdout.split() == ["7.0", "0"], broken.stderr
+    assert broken.stderr.count("RuntimeWarning") == 1
+    assert "is broken" in broken.stderr
+    after = run(project, CALL, cache)
+    assert after.stdout.split() == ["7.0", "1"]
+    assert after.stderr == ""
+
+
+def test_full_disk_falls_back_to_no_cache_with_one_warning(project: Path, tmp_path: Path) -> None:
+    limit = "import resource\nresource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))\n"
+    result = run(project, limit + CALL, tmp_path / "cache")
+    assert result.stdout.split() == ["7.0", "0"], result.stderr
+    assert result.stderr.count("RuntimeWarning") == 1
+    assert "cannot be written" in result.stderr
+    assert run(project, CALL, tmp_path / "cache").stdout.split() == ["7.0", "0"]
 
 
 def test_kernels_run_as_plain_python(project: Path, tmp_path: Path) -> None:

@@ -3,11 +3,13 @@
     directory/step-00000.npz    the wheel before the first step
     directory/step-00001.npz    after it: profile (y, z), radius, distance, measures
 
-A file is renamed into place when it is complete, so a killed loop leaves all finished steps.
+A file is renamed into place when it is complete and on disk, so a killed loop leaves all finished steps.
 """
 
+import io
 import math
-import os
+import zipfile
+import zlib
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -17,6 +19,7 @@ import pyarrow
 
 from damage.evolution.measures import WheelMeasures
 from hh_exudyn.contact.profile import Profile
+from hh_exudyn.log.parts import write_whole
 
 _PATTERN = "step-{:05d}.npz"
 
@@ -90,13 +93,11 @@ def write_step(directory: Path, number: int, step: WearStep) -> None:
     """
     directory.mkdir(parents=True, exist_ok=True)
     path = directory / _PATTERN.format(number)
-    unfinished = path.with_suffix(".tmp")
     numbers = {"distance": step.distance, "radius": step.radius, "depth": step.depth}
     numbers |= asdict(step.measures)
     arrays: dict[str, Any] = {key: np.array(value) for key, value in numbers.items()}
-    with unfinished.open("wb") as file:
-        np.savez(file, name=np.array(step.profile.name), y=step.profile.y, z=step.profile.z, **arrays)
-    os.replace(unfinished, path)
+    arrays |= {"name": np.array(step.profile.name), "y": step.profile.y, "z": step.profile.z}
+    write_whole(path, lambda stream: np.savez(stream, **arrays))
 
 
 def read_history(directory: Path | str) -> WearHistory:
@@ -105,8 +106,8 @@ def read_history(directory: Path | str) -> WearHistory:
     Raises
     ------
     ValueError
-        A file is not one of a step, a step is missing between others, or distances that do not increase from
-        0 on.
+        A file is not one of a step or is broken, a step is missing between others, or distances that do not
+        increase from 0 on.
     """
     directory = Path(directory)
     paths = sorted(directory.glob("step-*.npz"))
@@ -129,7 +130,7 @@ def read_history(directory: Path | str) -> WearHistory:
 
 def _read_step(path: Path) -> WearStep:
     try:
-        with np.load(path) as data:
+        with np.load(io.BytesIO(path.read_bytes())) as data:
             values = {name: data[name] for name in data.files}
         measures = WheelMeasures(**{name: float(values[name]) for name in WheelMeasures.__annotations__})
         return WearStep(
@@ -139,5 +140,8 @@ def _read_step(path: Path) -> WearStep:
             depth=float(values["depth"]),
             measures=measures,
         )
-    except (KeyError, ValueError, OSError, EOFError) as error:
-        raise ValueError(f"{path}: not a step of a wheel's life ({error})") from None
+    except (KeyError, ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error) as error:
+        raise ValueError(
+            f"{path}: not a step of a wheel's life, or a broken one ({error}); delete it and all later "
+            "steps, and the evolution goes on from the step before"
+        ) from None

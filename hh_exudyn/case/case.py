@@ -46,7 +46,7 @@ from vehicles.description import Vehicle
 _RAILS = ("rail", "rail_left", "rail_right", "rail_high", "rail_low")
 _LARGEST_FILE = 20_000_000  # bytes of a case
 _PLAY_MM = (60.0, 100.0)  # nominal gauge less the distance of the flange backs
-_FILES = ("wheel_profile", "irregularity", *_RAILS)  # keys with a name or the path of a file
+FILE_KEYS = ("wheel_profile", "irregularity", *_RAILS)  # keys with a name or the path of a file
 SHORTEST_TRACK_M = 30.0  # a wagon of 10.29 m and some track ahead
 
 
@@ -369,7 +369,7 @@ def _start_in(folder: Path, data: dict[str, Any]) -> None:
     start_in(folder, data)
     sections = track.get("sections")
     for table in (data, track, *(sections if isinstance(sections, list) else ())):
-        for key in _FILES:
+        for key in FILE_KEYS:
             if isinstance(table, dict) and isinstance(table.get(key), str) and is_path(table[key]):
                 from_folder(table, folder, key)
     from_folder(track, folder, "alignment", "centre_line")

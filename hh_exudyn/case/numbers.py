@@ -3,12 +3,11 @@
 from hh_exudyn.case.case import Case
 from hh_exudyn.case.friction import FrictionCase, SurfaceCase
 from hh_exudyn.case.track import RIGID
-from hh_exudyn.case.vehicle import VehicleCase
+from hh_exudyn.case.vehicle import variant_behind
 from hh_exudyn.sourced import Parameter
 from track.friction import friction_numbers
 from track.irregularity.spectra import spectrum, spectrum_names
 from track.support.sleepers import sleeper_track_numbers
-from vehicles.variants import find_variant
 
 
 def case_numbers(case: Case) -> tuple[Parameter, ...]:
@@ -17,10 +16,10 @@ def case_numbers(case: Case) -> tuple[Parameter, ...]:
     Parameters
     ----------
     case : Case
-        The case; a vehicle given to `simulate` in place of its own is not considered.
+        The case; the numbers of a vehicle that was built in Python have no sources and are left out.
     """
-    vehicle = case.vehicle.variant() if isinstance(case.vehicle, VehicleCase) else find_variant(case.vehicle)
-    found = list(vehicle.parameters().parameters)
+    vehicle = variant_behind(case.vehicle)
+    found = [] if vehicle is None else list(vehicle.parameters().parameters)
     if case.track.flexibility != RIGID:
         found += sleeper_track_numbers(case.track.flexibility)
     if case.track.irregularity in spectrum_names():

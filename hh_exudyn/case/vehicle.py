@@ -8,7 +8,8 @@ content::
     wedge = { friction = 0.35 }
 
 Either way the `Case` has the numbers, not the file: later changes of the file change neither the case nor its
-runs, as their ``case.toml`` has the table.
+runs, as their ``case.toml`` has the table. ``vehicle = "vehicle.json"`` is a whole vehicle
+(`vehicles.stored`), for instance the one in the folder of a run, that ``case.toml`` there refers to.
 """
 
 from collections.abc import Mapping
@@ -19,6 +20,7 @@ from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
 
 from hh_exudyn.case.fields import CaseTable, from_folder
 from vehicles.description import Vehicle
+from vehicles.stored import VEHICLE_SUFFIX, origin_of, read_vehicle
 from vehicles.variants import Variant, find_variant, is_vehicle_file, read_variant, variant_of_table
 
 
@@ -80,15 +82,44 @@ def resolved(value: Any) -> Any:
     """
     if not isinstance(value, str):
         return value
-    if is_vehicle_file(value):
+    if is_whole_vehicle(value):
+        read_vehicle(value)
+    elif is_vehicle_file(value):
         return read_variant(value).to_table()
-    find_variant(value)
+    else:
+        find_variant(value)
     return value
+
+
+def is_whole_vehicle(value: Any) -> bool:
+    """Whether the vehicle of a case is the path of a file with a whole vehicle."""
+    return isinstance(value, str) and value.endswith(VEHICLE_SUFFIX)
 
 
 def described(value: str | VehicleCase) -> Vehicle:
     """The description that a run uses."""
+    if isinstance(value, str) and is_whole_vehicle(value):
+        return read_vehicle(value)
     return (find_variant(value) if isinstance(value, str) else value.variant()).vehicle()
+
+
+def variant_behind(value: str | VehicleCase) -> Variant | None:
+    """The variant of a case's vehicle, with its sourced numbers; None for a vehicle built otherwise.
+
+    A whole vehicle has the one that it was built from, if that still has the same numbers.
+    """
+    if isinstance(value, VehicleCase):
+        return value.variant()
+    if not is_whole_vehicle(value):
+        return find_variant(value)
+    origin = origin_of(value)
+    if origin is None:
+        return None
+    try:
+        variant = variant_of_table(origin, "case")
+        return variant if variant.vehicle() == read_vehicle(value) else None
+    except ValueError:  # of another version of the catalogue
+        return None
 
 
 def start_in(folder: Path, data: dict[str, Any]) -> None:

@@ -5,6 +5,7 @@
 `contact`      conicity, patch, validate
 `creep_curve`  creep force over creepage by every theory
 `damage`       wear and fatigue of a run
+`evaluation`   folder and settings of a damage evaluation
 `assess`       assessment of a run after UIC 518 / EN 14363
 `track`        alignment, irregularities, lines
 `vehicle`      vehicles and their numbers

@@ -4,20 +4,24 @@
 exit code  meaning
 =========  ==================================================================================
 0          done
-1          a fault of the program or the machine (a full disk): one line, with the file of the traceback
+1          a full disk or another fault of the machine, with path and reason; a fault of the program, with the
+           file of the traceback
 2          bad input: one line with what is allowed; nothing was begun or overwritten
 3          the vehicle derailed or the run diverged; the log up to then remains
 130        Ctrl-C; the log up to then remains
+143        SIGTERM; the log up to then remains
 =========  ==================================================================================
 
 Large packages are imported inside the commands, so that ``--help`` is fast.
 """
 
+import signal
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from importlib import resources
 from pathlib import Path
+from types import FrameType
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -69,9 +73,16 @@ cli_parameters.register(app)
 def main() -> None:
     """The command, as `hh_exudyn.__main__` calls it."""
     try:
+        with suppress(ValueError):  # not in the main thread, the only one that receives signals
+            signal.signal(signal.SIGTERM, _terminate)
         app()
     except KeyboardInterrupt:  # outside of a command: while a library is imported
         sys.exit(output.INTERRUPTED)
+
+
+def _terminate(number: int, frame: FrameType | None) -> None:
+    """SIGTERM ends a command as Ctrl-C does: with one line, and no file that is not complete."""
+    raise output.Terminated
 
 
 def _print_version(wanted: bool) -> None:
@@ -90,13 +101,20 @@ def _options(
 
 
 @app.command()
-def run(case: inputs.CaseFile, out_folder: inputs.NewFolder) -> None:
+def run(
+    case: inputs.CaseFile,
+    out_folder: inputs.NewFolder,
+    resume: Annotated[
+        bool, typer.Option("--resume", help="Go on with the interrupted run of the case in the folder.")
+    ] = False,
+) -> None:
     """Simulate a case: logs, recording, and a table of the wheelsets in the last part of the run."""
     with output.errors_in_one_line(out_folder):
         from hh_exudyn.case import read_case
 
-        inputs.require_new_folder(out_folder)
-        _show_run(_simulated(read_case(case), out_folder))
+        if not resume:
+            inputs.require_new_folder(out_folder)
+        _show_run(_simulated(read_case(case), out_folder, resume))
 
 
 @app.command()
@@ -116,10 +134,12 @@ def demo(out_folder: inputs.NewFolder) -> None:
 def playback(
     folder: inputs.RunFolder,
     save: NewRecording = None,
+    skip_broken_parts: inputs.SkipBrokenParts = False,
 ) -> None:
     """Play a run in the rerun viewer, or save its recording."""
     with output.errors_in_one_line(folder):
-        finished = inputs.read_run(folder)
+        finished = inputs.read_run(folder, skip_broken_parts)
+        output.print_left_out(finished)
         if save is not None:
             inputs.require_new_file(save, "--save", inputs.RECORDINGS)
             _record(finished, save)
@@ -127,26 +147,26 @@ def playback(
         from hh_exudyn.playback.viewer import open_viewer
 
         recording = folder / RECORDING
-        if not recording.is_file():
+        if skip_broken_parts or not recording.is_file() or _older(recording, folder / "status.json"):
             _record(finished, recording)
         with output.status("opening the viewer"):
             viewer = open_viewer(recording)
         output.print_line(f"{recording} is open in the rerun viewer (process {viewer})")
 
 
-def _simulated(case: "Case", folder: Path) -> "Run":
+def _simulated(case: "Case", folder: Path, resume: bool = False) -> "Run":
     """The run of a case, with a progress bar; an early end is one line and an exit code."""
     from hh_exudyn.multibody.equilibrium import NoEquilibrium
     from hh_exudyn.multibody.simulate import SimulationStopped, simulate
 
     try:
         with _progress_bar(case.name) as progress:
+            if resume:
+                return simulate(case, folder, progress=progress, resume=True)
             return simulate(case, folder, progress=progress)
     except (SimulationStopped, NoEquilibrium) as error:
-        output.fail(output.STOPPED, f"{error}; {output.log_place(folder)}")
-    except (
-        FileExistsError
-    ) as error:  # another run has claimed the folder meanwhile: nothing is written into it
+        output.fail(output.STOPPED, f"{error}; {output.log_place(folder, resumable=False)}")
+    except FileExistsError as error:  # another run has claimed the folder: nothing is written into it
         raise inputs.BadInput(f"--out {folder}: {error}") from None
     except (ValueError, OSError) as error:
         if not folder.exists():  # nothing was begun: the case or the folder cannot be made
@@ -165,7 +185,7 @@ def _show_run(run: "Run") -> None:
     output.print_table(_wheelset_table(wheelset_summary(run, window), window))
     if run.status.get("watch"):
         output.print_table(_watch_table(run.status["watch"], seizure_shares(run)))
-    output.print_line(assumed_summary(Case.from_toml(run.case_text)))
+    output.print_line(assumed_summary(Case.from_toml(run.case_text, folder=run.directory)))
     if (resistance := run.status.get("curve_resistance_of_train")) is not None:
         output.print_line(f"curve resistance of the wagons behind: {resistance}")
     for wheel in run.status.get("chatter", []):
@@ -181,6 +201,11 @@ def _show_run(run: "Run") -> None:
         )
     output.print_line("Y is positive outwards; attack and position are positive to the left")
     output.print_line(f"play it: hh-exudyn playback {run.directory}")
+
+
+def _older(recording: Path, status: Path) -> bool:
+    """Whether a recording was made before the run in its folder ended."""
+    return status.is_file() and recording.stat().st_mtime < status.stat().st_mtime
 
 
 def _record(run: "Run", path: Path) -> None:

@@ -52,13 +52,14 @@ def assess_ride(
         typer.Option(metavar="m", help="Of test sections. [default: 250 on straights, 70 or 100 in curves]"),
     ] = None,
     unfinished: inputs.Unfinished = False,
+    skip_broken_parts: inputs.SkipBrokenParts = False,
 ) -> None:
     """Forces and accelerations of a run after UIC 518 / EN 14363, by test sections, and their limits."""
     with output.errors_in_one_line(folder):
         inputs.check_range("--section-length-m", section_length_m, 10.0, 1000.0, "m")
         inputs.require_new_file(figure, "--out", inputs.FIGURES)
         inputs.require_new_file(table, "--table", inputs.TABLES)
-        found = _assessed(folder, unit, section_length_m, unfinished)
+        found = _assessed(folder, unit, section_length_m, unfinished, skip_broken_parts)
         _show(found, folder.name)
         if table is not None:
             output.write_table(found.to_table(), table, "--table")
@@ -68,13 +69,17 @@ def assess_ride(
             output.write_figure(assessment_sheet(f"{folder.name}: {found.vehicle.name}", found), figure)
 
 
-def _assessed(folder: Path, unit: int, section_length: float | None, unfinished: bool) -> "Assessment":
+def _assessed(
+    folder: Path, unit: int, section_length: float | None, unfinished: bool, skip_broken_parts: bool
+) -> "Assessment":
     """The assessment of the run in a folder; a run that cannot be assessed is bad input."""
     from hh_exudyn.assessment.report import standard_assessment
     from hh_exudyn.log.store import open_run
 
     with inputs.refused_as_bad_input():
-        return standard_assessment(open_run(folder), unit, section_length, unfinished)
+        run = open_run(folder, skip_broken_parts=skip_broken_parts)
+        output.print_left_out(run)
+        return standard_assessment(run, unit, section_length, unfinished)
 
 
 def _show(found: "Assessment", name: str) -> None:

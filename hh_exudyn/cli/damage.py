@@ -14,6 +14,15 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, Ti
 from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
+from hh_exudyn.cli.evaluation import (
+    SETTINGS_FILE,
+    chosen_folder,
+    complete_folder,
+    law_and_steel,
+    settings,
+    write_above,
+    write_settings,
+)
 from hh_exudyn.cli.names import NamesInHelp
 
 if TYPE_CHECKING:
@@ -42,7 +51,7 @@ def damage(
     folder: inputs.RunFolder,
     out_folder: Annotated[
         Path | None,
-        typer.Option("--out", metavar="DIR", help="New or empty folder; without, DIR/damage of the run."),
+        typer.Option("--out", metavar="DIR", help="New or empty folder; without, damage in that of the run."),
     ] = None,
     model: Annotated[str, typer.Option(metavar="LAW", help="Wear law: {wear_laws}.")] = "archard",
     surface: Annotated[
@@ -66,24 +75,27 @@ def damage(
         bool, typer.Option("--skip-bad-rows", help="Leave out rows that no contact can have; count them.")
     ] = False,
     unfinished: inputs.Unfinished = False,
+    skip_broken_parts: inputs.SkipBrokenParts = False,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace the evaluation in the folder; without, a new folder.")
+    ] = False,
 ) -> None:
     """Wear and rolling contact fatigue of a run's wheels, from its contact log: tables and figures.
     \f
-    Eleven arguments: each is an option of the command.
+    Thirteen arguments: each is an option of the command.
     """
     with output.errors_in_one_line(folder):
-        if out_folder is not None:
-            inputs.require_new_folder(out_folder)
+        target = chosen_folder(folder, out_folder, overwrite)
         inputs.check_range("--distance-km", distance_km, 1e-3, 1e7, "km")
         inputs.check_range("--pressure-limit", pressure_limit, 1.0, 1e5, "MPa")
         options = _options(model, surface, theory, material)
         options |= {"normal": normal, "unfinished": unfinished}
         if pressure_limit is not None:
             options |= {"pressure_limit": 1e6 * pressure_limit}
-        run = inputs.read_run(folder)
+        run = inputs.read_run(folder, skip_broken_parts)
         films = _films(run)
         options |= {"films": films if surface is None else films.without()}
-        show_damage(run, out_folder or folder / "damage", distance_km, skip_bad_rows, **options)
+        show_damage(run, target, distance_km, skip_bad_rows, surface, **options)
 
 
 def _options(model: str, surface: str | None, theory: str | None, material: str) -> dict[str, Any]:
@@ -155,7 +167,7 @@ def _case(run: "Run") -> "Case":
     """The case of a run."""
     from hh_exudyn.case import Case
 
-    return Case.from_toml(run.case_text, source=f"{run.directory}/case.toml")
+    return Case.from_toml(run.case_text, source=f"{run.directory}/case.toml", folder=run.directory)
 
 
 def show_damage(
@@ -163,6 +175,7 @@ def show_damage(
     folder: Path,
     distance_km: float | None = None,
     skip_bad_rows: bool = False,
+    surface: str | None = None,
     **options: Any,
 ) -> None:
     """Print the damage tables of a run and write tables and figures.
@@ -172,11 +185,13 @@ def show_damage(
     run
         The run.
     folder
-        Folder for tables and figures.
+        Folder for tables and figures; one with an earlier evaluation is replaced.
     distance_km
         Also give the damage after this distance; None for none.
     skip_bad_rows
         Leave out rows that no contact can have.
+    surface
+        State of the surfaces that the wear law was made for; None for its default.
     options
         Of `damage.report.assess`.
     """
@@ -191,11 +206,16 @@ def show_damage(
     if report.bad_rows.faults:
         tables["bad_rows.csv"] = report.bad_rows.to_table()
     figures = _figures(run, report, 1e3 * (FIGURE_DISTANCE if distance_km is None else distance_km))
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, table in tables.items():
-        pyarrow.csv.write_csv(table, folder / name)
-    for name, figure in figures.items():
-        figure.savefig(folder / name, dpi=output.DOTS_PER_INCH)
+    label = law_and_steel(report, surface)
+    with complete_folder(folder) as partial:
+        for name, table in tables.items():
+            pyarrow.csv.write_csv(table, partial / name)
+        for name, figure in figures.items():
+            write_above(figure, label)
+            figure.savefig(partial / name, dpi=output.DOTS_PER_INCH)
+        write_settings(partial, settings(run, report, surface, distance_km))
+    output.print_left_out(run)
+    output.print_line(f"law, steel, theory: {label}")
     whole = f"Damage over the whole run, normal contact: {report.normal_contact}"
     output.print_table(_table_of(whole + _early(report), tables["damage.csv"], RUN_COLUMNS))
     if distance_km is not None:
@@ -212,7 +232,7 @@ def show_damage(
         )
     if report.bad_rows.faults:
         output.print_line(f"left out: {report.bad_rows}")
-    output.print_line(f"damage: {folder} ({', '.join([*tables, *figures])})")
+    output.print_line(f"damage: {folder} ({', '.join([*tables, *figures, SETTINGS_FILE])})")
 
 
 def _early(report: "DamageReport") -> str:

@@ -15,6 +15,9 @@ FIGURES = (".png", ".pdf", ".svg")
 TABLES = (".csv",)
 RECORDINGS = ()  # of any suffix
 
+SkipBrokenParts = Annotated[
+    bool, typer.Option("--skip-broken-parts", help="Read the rest of logs with broken files; name those.")
+]
 RunFolder = Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a run.")]
 CaseFile = Annotated[Path, typer.Argument(metavar="CASE.toml", help="Case file.")]
 NewFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="New or empty folder for the run.")]
@@ -124,8 +127,15 @@ def require_new_file(path: Path | None, option: str, suffixes: Sequence[str]) ->
         raise BadInput(f"{option} {path}: its folder cannot be written to")
 
 
-def read_run(folder: Path) -> "Run":
+def read_run(folder: Path, skip_broken_parts: bool = False) -> "Run":
     """The run in a folder, with at least one row in its contact log.
+
+    Parameters
+    ----------
+    folder
+        Of the run.
+    skip_broken_parts
+        Leave out parts of its logs that cannot be read.
 
     Raises
     ------
@@ -135,7 +145,7 @@ def read_run(folder: Path) -> "Run":
     from hh_exudyn.log.store import open_run
 
     with refused_as_bad_input():
-        run = open_run(folder)
+        run = open_run(folder, skip_broken_parts=skip_broken_parts)
         if run.read("contact", ["time"]).num_rows == 0:
             raise BadInput(f"{folder}: the contact log has no rows")
     return run

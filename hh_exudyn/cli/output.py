@@ -21,7 +21,10 @@ if TYPE_CHECKING:
     import pyarrow
     from matplotlib.figure import Figure
 
-FAULT, BAD_INPUT, STOPPED, INTERRUPTED = 1, 2, 3, 130  # exit codes, see `hh_exudyn.cli.app`
+    from hh_exudyn.log.store import Run
+
+FAULT, BAD_INPUT, STOPPED, INTERRUPTED, TERMINATED = 1, 2, 3, 130, 143  # exit codes, see `hh_exudyn.cli.app`
+_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)  # no room for a file
 NOTHING = "–"  # in a table, for a missing number
 DOTS_PER_INCH = 150  # of figures
 TABLE_WIDTH = 120  # largest width of a table in a file or a pipe
@@ -30,6 +33,13 @@ TABLE_WIDTH = 120  # largest width of a table in a file or a pipe
 out = Console(soft_wrap=True, highlight=False, markup=False, emoji=False)
 err = Console(stderr=True, soft_wrap=True, highlight=False, markup=False, emoji=False)
 _FAULTY_MACHINE = {errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.ENOMEM, errno.EMFILE, errno.ENFILE}
+
+
+class Terminated(SystemExit):
+    """SIGTERM outside of an integration, which has an exception of its own for it with the same exit code."""
+
+    def __init__(self) -> None:
+        super().__init__(TERMINATED)
 
 
 @contextmanager
@@ -49,6 +59,14 @@ def errors_in_one_line(folder: Path | None = None) -> Iterator[None]:
         fail(BAD_INPUT, str(error))
     except KeyboardInterrupt:
         fail(INTERRUPTED, f"interrupted; {log_place(folder)}")
+    except SystemExit as end:
+        if end.code == TERMINATED:
+            fail(TERMINATED, f"terminated; {log_place(folder)}")
+        raise
+    except OSError as error:
+        if error.errno in _FULL:
+            fail(FAULT, f"{error.filename or folder}: {error.strerror}; {log_place(folder)}")
+        _fail_with_traceback(error, folder)
     except Exception as error:
         from hh_exudyn.case.errors import CaseError  # the package of cases is heavy: not for --help
 
@@ -56,8 +74,7 @@ def errors_in_one_line(folder: Path | None = None) -> Iterator[None]:
             fail(BAD_INPUT, str(error))
         if isinstance(error, OSError) and error.errno not in _FAULTY_MACHINE:
             fail(BAD_INPUT, _file_fault(error))  # a file or folder of the user: missing, read-only, a loop
-        reason = " ".join(str(error).split()) or "no message"
-        fail(FAULT, f"{type(error).__name__}: {reason}; traceback in {_written_traceback(folder)}")
+        _fail_with_traceback(error, folder)
 
 
 def _file_fault(error: OSError) -> str:
@@ -66,11 +83,19 @@ def _file_fault(error: OSError) -> str:
     return f"{error.filename}: {error.strerror}" if error.filename and error.strerror else text
 
 
-def log_place(folder: Path | None) -> str:
-    """The folder of the log so far, as part of a message."""
+def _fail_with_traceback(error: Exception, folder: Path | None) -> NoReturn:
+    """End the command for a fault of the program."""
+    reason = " ".join(str(error).split()) or "no message"
+    fail(FAULT, f"{type(error).__name__}: {reason}; traceback in {_written_traceback(folder)}")
+
+
+def log_place(folder: Path | None, resumable: bool = True) -> str:
+    """The folder of the log so far, as part of a message; for a run that may be resumed, with that hint."""
     if folder is None or not (folder / "case.toml").is_file():
         return "nothing was written"
-    return f"the log so far is kept in {folder}"
+    if not (resumable and (folder / "checkpoint.npz").is_file()):
+        return f"the log so far is kept in {folder}"
+    return f"the log so far is kept in {folder}, and --resume goes on"
 
 
 def _written_traceback(folder: Path | None) -> Path:
@@ -95,6 +120,12 @@ def fail(code: int, message: str) -> NoReturn:
 def print_line(text: str) -> None:
     """One or more lines on stdout, as they are."""
     out.print(text)
+
+
+def print_left_out(run: "Run") -> None:
+    """Name the broken parts of a run's logs that are left out, if any are."""
+    for broken in run.broken_parts() if run.skip_broken_parts else ():
+        print_line(f"left out: {broken.path}: {broken.reason}")
 
 
 def status(text: str) -> Status:

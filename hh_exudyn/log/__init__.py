@@ -2,12 +2,14 @@
 
 ==============  ======================================================================================
 `channels`      the one table of all columns: name, source, unit, meaning
+`lock`          one writer in the folder of a run
+`parts`         files that are whole or not there: parts of the logs, texts
 `recorder`      writes the logs: rows buffered in numpy, to disk in parts
 `ending`        how a run ended: results of one cut short need consent
 `store`         a run on disk, and reading it back
 `wheel_forces`  Q and Y of every wheel over time
 ==============  ======================================================================================
 
-`hh_exudyn.multibody.recording` computes the rows, one output interval apart (`hh_exudyn.case.contact`). A
-part is renamed into place when it is complete, so that a killed run leaves all its finished parts readable.
+`hh_exudyn.multibody.recording` computes the rows, one output interval apart (`hh_exudyn.case.contact`). All
+rows but those of the last second of wall time are on disk at any moment.
 """

@@ -1,9 +1,11 @@
 """Writing the logs of a run: rows are buffered in numpy and written to disk in parts.
 
-The layout on disk is that of `hh_exudyn.log.store`, which reads it back.
+The last part of a log grows: about every second of wall time it is replaced by a longer one, until it is
+full. So a killed run keeps all but its last second, and the parts of a finished run do not depend on the
+clock. The layout on disk is that of `hh_exudyn.log.store`, which reads it back.
 """
 
-import os
+import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
@@ -11,26 +13,13 @@ from typing import Any
 
 import numpy as np
 import pyarrow
-import pyarrow.parquet
 from numpy.typing import NDArray
 
 from hh_exudyn.log.channels import LOGS, Column
+from hh_exudyn.log.lock import locked
+from hh_exudyn.log.parts import LOG_KEY, TEMPORARY_SUFFIX, part_path, part_paths, read_part, write_part
 
-PART_PATTERN = "part-*.parquet"  # finished parts; temporary files end differently and are never read
-TEMPORARY_SUFFIX = ".tmp"
-
-
-def part_path(directory: Path, log: str, number: int) -> Path:
-    """Path of one finished part of a log.
-
-    Parameters
-    ----------
-    directory, log
-        Directory of the run, and ``contact``, ``motion``, ``energy`` or ``control``.
-    number
-        Of the part, from 0.
-    """
-    return directory / log / f"part-{number:05d}.parquet"
+KEEP_INTERVAL = 0.7  # s of wall time after which rows are on disk; with the writing less than 1 s
 
 
 def check_log_name(log: str) -> tuple[Column, ...]:
@@ -52,40 +41,39 @@ def claim_directory(directory: Path) -> None:
     Raises
     ------
     FileExistsError
-        The directory holds anything, or the name is a file. Nothing was written then.
+        The directory holds anything but what a run leaves that was killed before its first file, or the name
+        is a file. Nothing was written then.
     """
-    if directory.exists() and (not directory.is_dir() or any(directory.iterdir())):
+    if directory.exists() and (not directory.is_dir() or any(map(_is_content, directory.iterdir()))):
         kind = "is not empty" if directory.is_dir() else "is a file"
         raise FileExistsError(
             f"{directory} {kind}: a run is never overwritten; --out must name a new or an empty folder"
         )
     directory.mkdir(parents=True, exist_ok=True)
     for log in LOGS:
-        (directory / log).mkdir()  # fails where a second process claimed the same folder just now
+        (directory / log).mkdir(exist_ok=True)
 
 
-def write_part(path: Path, table: pyarrow.Table) -> None:
-    """Write a table to a temporary file and rename it when it is complete and on disk."""
-    temporary = path.with_name(path.name + TEMPORARY_SUFFIX)
-    try:
-        with open(temporary, "wb") as stream:
-            pyarrow.parquet.write_table(table, stream, compression="zstd")
-            stream.flush()
-            os.fsync(stream.fileno())
-        os.replace(temporary, path)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
+def _is_content(path: Path) -> bool:
+    if path.name in LOGS and path.is_dir():
+        return any(path.iterdir())
+    return path.suffix != TEMPORARY_SUFFIX
 
 
 class _Buffer:
-    """Buffered rows of one log, before they are written as a part; every column is float64."""
+    """Rows of the growing part of one log; every column is float64."""
 
     def __init__(self, columns: tuple[Column, ...], rows: int) -> None:
         self.columns = columns
         self.rows = np.empty((rows, len(columns)))
         self.count = 0
-        self.parts = 0
+        self.written = 0  # rows of this part that are on disk
+        self.parts = 0  # full ones before it
+
+    @property
+    def total(self) -> int:
+        """Rows of the log so far."""
+        return self.parts * len(self.rows) + self.count
 
 
 class Recorder:
@@ -104,19 +92,25 @@ class Recorder:
         Rows of one part [-], at least 1.
     names
         For each string column (`body` of the motion log) the names of its integer codes.
+    resumed
+        For each log of an interrupted run in the directory the number of rows that stay, to go on behind
+        them; None for a new run.
 
     Raises
     ------
     FileExistsError
-        The directory is not empty. Nothing was written then.
+        The directory of a new run is not empty, or another process writes into it. Nothing was written then.
+    ValueError
+        An interrupted run has fewer rows on disk, or a broken part.
     """
 
     def __init__(
         self,
         directory: Path | str,
         metadata: Mapping[str, str],
-        rows_per_part: int = 50_000,
+        rows_per_part: int = 10_000,
         names: Mapping[str, Sequence[str]] | None = None,
+        resumed: Mapping[str, int] | None = None,
     ) -> None:
         if rows_per_part < 1:
             raise ValueError(f"rows_per_part = {rows_per_part} must be at least 1")
@@ -125,8 +119,14 @@ class Recorder:
         self._names: dict[str, list[str]] = {key: list(value) for key, value in (names or {}).items()}
         self._rows_per_part = rows_per_part
         self._closed = False
-        claim_directory(self.directory)
         self._buffers: dict[str, _Buffer] = {}
+        self._next_keeping = time.monotonic() + KEEP_INTERVAL
+        if resumed is None:
+            claim_directory(self.directory)
+        self._lock = locked(self.directory)
+        if resumed is not None:
+            for log in LOGS:
+                self._go_on(log, resumed.get(log, 0))
 
     def append_rows(self, log: str, rows: NDArray[np.float64]) -> None:
         """Append rows with the columns of the log in their order: the fast path.
@@ -156,8 +156,11 @@ class Recorder:
             buffer.rows[buffer.count : buffer.count + here] = rows[done : done + here]
             buffer.count += here
             done += here
-            if buffer.count == self._rows_per_part:
+            if buffer.count == self._rows_per_part:  # also where writing has failed before
+                self._flush(but=log)  # no log ends long before the others, if this is the last moment
                 self._write(log, buffer)
+                buffer.parts += 1
+                buffer.count = buffer.written = 0
 
     def append(self, log: str, columns: Mapping[str, Any]) -> None:
         """Append columns of equal length by name; all columns of the log must be there.
@@ -191,18 +194,36 @@ class Recorder:
             raise ValueError(f"columns of log {log} differ in length: {lengths}")
         self.append_rows(log, np.column_stack(values))
 
+    def keep(self) -> None:
+        """Write all rows, if that is `KEEP_INTERVAL` ago; call it when the rows of a time are complete."""
+        if time.monotonic() >= self._next_keeping:
+            self.flush()
+
     def flush(self) -> None:
-        """Write the buffered rows of every log as a part, however few they are."""
+        """Write all rows; the last part of every log goes on growing."""
+        self._flush()
+        self._next_keeping = time.monotonic() + KEEP_INTERVAL
+
+    def _flush(self, but: str = "") -> None:
+        """Write the rows of all logs but one, in the order in which the logs were begun."""
         for log, buffer in self._buffers.items():
-            if buffer.count:
-                self._write(log, buffer)
+            if log != but and buffer.count > buffer.written:
+                self._write(log, buffer, growing=True)
+
+    @property
+    def totals(self) -> dict[str, int]:
+        """Rows of every log so far."""
+        return {log: buffer.total for log, buffer in self._buffers.items()}
 
     def close(self) -> None:
         """Write the buffered rows; further rows raise ValueError."""
         if not self._closed:
-            self.flush()
+            for log, buffer in self._buffers.items():
+                if buffer.count:
+                    self._write(log, buffer)
             self._closed = True
             self._buffers.clear()
+            self._lock.close()
 
     def __enter__(self) -> "Recorder":
         return self
@@ -213,7 +234,12 @@ class Recorder:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        self.close()
+        try:
+            self.close()
+        except OSError:
+            self._lock.close()
+            if not isinstance(error, OSError):  # else it is the same full disk
+                raise
 
     def _new_buffer(self, log: str) -> _Buffer:
         if self._closed:
@@ -221,6 +247,33 @@ class Recorder:
         buffer = _Buffer(check_log_name(log), self._rows_per_part)
         self._buffers[log] = buffer
         return buffer
+
+    def _go_on(self, log: str, rows: int) -> None:
+        """Take up a log behind its first rows; whatever is later is removed."""
+        full, rest = divmod(rows, self._rows_per_part)
+        paths = {path.name: path for path in part_paths(self.directory, log)}
+        kept = [part_path(self.directory, log, number) for number in range(full + (rest > 0))]
+        for path in kept:
+            if path.name not in paths:
+                raise ValueError(f"{path} is missing: the run cannot be resumed, begin it in a new folder")
+        (self.directory / log).mkdir(exist_ok=True)
+        if rows:
+            buffer = self._new_buffer(log)
+            buffer.parts = full
+        if rest:
+            columns = buffer.columns
+            table = read_part(kept[-1], [column.name for column in columns]).slice(0, rest)
+            if table.num_rows < rest:
+                raise ValueError(f"{kept[-1]} is too short: it cannot be resumed, begin in a new folder")
+            for index, column in enumerate(columns):
+                values = table[column.name]
+                texts = values.to_pylist() if column.kind == "string" else values.to_numpy()
+                buffer.rows[:rest, index] = self._codes(column.name, texts)
+            buffer.count = rest
+            self._write(log, buffer)
+        for path in (*paths.values(), *(self.directory / log).glob(f"*{TEMPORARY_SUFFIX}")):
+            if path not in kept:
+                path.unlink()
 
     def _codes(self, column: str, values: Any) -> NDArray[np.float64]:
         """Integer codes of a string column; texts that are new get the next code."""
@@ -233,17 +286,17 @@ class Recorder:
                 names.append(text)
         return np.array([names.index(text) for text in array.tolist()], dtype=np.float64)
 
-    def _write(self, log: str, buffer: _Buffer) -> None:
-        """Write the buffered rows as the next part and empty the buffer."""
+    def _write(self, log: str, buffer: _Buffer, growing: bool = False) -> None:
+        """Write the growing part, in place of the shorter one on disk."""
         rows = buffer.rows[: buffer.count]
         arrays = [
             self._arrow_column(log, column, rows[:, index]) for index, column in enumerate(buffer.columns)
         ]
         table = pyarrow.table(arrays, names=[column.name for column in buffer.columns])
-        table = table.replace_schema_metadata(self._metadata)
-        write_part(part_path(self.directory, log, buffer.parts), table)
-        buffer.parts += 1
-        buffer.count = 0
+        table = table.replace_schema_metadata({**self._metadata, LOG_KEY: log.encode()})
+        texts = [column.name for column in buffer.columns if column.kind == "string"]
+        write_part(part_path(self.directory, log, buffer.parts), table, texts, growing)
+        buffer.written = buffer.count
 
     def _arrow_column(self, log: str, column: Column, values: NDArray[np.float64]) -> pyarrow.Array:
         if column.kind == "float64":

@@ -16,8 +16,10 @@
 `watch`         derailment, divergence, a step too large: reasons to stop a run
 `chatter`       wheels whose contact jumps from place to place, counted in windows
 `climb`         wheels that rise from their rail, or run on the flange alone
-`interruption`  Ctrl-C while Exudyn integrates
+`interruption`  Ctrl-C and SIGTERM while Exudyn integrates
 `recording`     rows of the logs
+`checkpoint`    state of a run between two segments of its integration, to resume from
+`provenance`    what a run was made from and with
 `simulate`      `simulate(case, directory)`
 `once`          `simulate_once`: finished runs of a study are reused
 `hysteresis`    force over deflection of a bogie's friction elements in slow cycles

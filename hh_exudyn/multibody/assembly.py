@@ -248,7 +248,17 @@ def exudyn_system(
     return mbs
 
 
-def explicit_settings(duration: float, step: float) -> Any:
+def whole_steps(duration: float, step: float) -> int:
+    """Number of whole steps within a duration, at least one.
+
+    Parameters
+    ----------
+    duration, step : [s]
+    """
+    return max(1, math.floor(duration / step + 1e-9))
+
+
+def explicit_settings(first: int, last: int, step: float) -> Any:
     """Exudyn's settings for the explicit Runge-Kutta method of third order at a constant step.
 
     Three evaluations a step instead of the fourth order's four, for a stability limit 10 % lower: at 0.4 ms
@@ -256,13 +266,13 @@ def explicit_settings(duration: float, step: float) -> Any:
 
     Parameters
     ----------
-    duration : [s]; the end is the last whole step within it
+    first, last : numbers of the states at begin and end, counted in steps
     step : [s]
     """
     settings = exu.SimulationSettings()
-    steps = max(1, math.floor(duration / step + 1e-9))
-    settings.timeIntegration.endTime = steps * step
-    settings.timeIntegration.numberOfSteps = steps
+    settings.timeIntegration.startTime = first * step
+    settings.timeIntegration.endTime = last * step
+    settings.timeIntegration.numberOfSteps = last - first
     settings.timeIntegration.solverType = exu.DynamicSolverType.RK33
     # three evaluations a step instead of four; nothing here reads accelerations
     settings.timeIntegration.explicit.computeEndOfStepAccelerations = False

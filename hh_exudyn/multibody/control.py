@@ -5,7 +5,8 @@ constant speed. The kernels read `Inputs` only.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -22,6 +23,7 @@ from vehicles.description import Vehicle
 from vehicles.start import start_front, start_middle
 from vehicles.traction.control import Actuators, Controller, Measurement
 from vehicles.traction.driver import DrivenUnit, Driver
+from vehicles.traction.memory import memory_of, put_back
 from vehicles.traction.steering import Steering
 
 AlongTrack = Callable[[FloatArray], FloatArray]
@@ -80,6 +82,32 @@ class VehicleControl:
         for controller in self._controllers:
             controller.act(measured, self._actuators, self._interval)
         self._move(time)
+
+    def memory(self) -> dict[str, FloatArray]:
+        """State of actuators and controllers, by name."""
+        return {
+            f"{part}/{name}": array
+            for part, owner in self._owners().items()
+            for name, array in memory_of(owner).items()
+        }
+
+    def put_back(self, memory: Mapping[str, FloatArray]) -> None:
+        """Set the state of actuators and controllers to one from `memory`.
+
+        Parameters
+        ----------
+        memory : arrays by name
+        """
+        for part, owner in self._owners().items():
+            start = f"{part}/"
+            put_back(
+                owner,
+                {name.removeprefix(start): a for name, a in memory.items() if name.startswith(start)},
+            )
+
+    def _owners(self) -> dict[str, Any]:
+        controllers = {str(number): owner for number, owner in enumerate(self._controllers)}
+        return {"actuators": self._actuators, **controllers}
 
     def _measure(self, time: float) -> Measurement:
         work, model = self._work, self._model

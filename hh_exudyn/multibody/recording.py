@@ -53,17 +53,18 @@ class LogWriter:
         self._contact = np.zeros((len(vehicle.wheelsets) * 2 * MAX_PATCHES, len(CONTACT)))
         self._motion = np.zeros((len(vehicle.bodies), len(MOTION)))
         self._energy = np.zeros((1, len(ENERGY)))
-        self._potential_at_start = math.nan
+        self.potential_at_start = math.nan  # of the first row, J
 
     def write(self, time: float, v: FloatArray) -> None:
         """Append one output time; the work space must hold the evaluation of this state."""
         count = _rows(self._bundle, self._places, v, time, self._contact, self._motion, self._energy[0])
-        if math.isnan(self._potential_at_start):
-            self._potential_at_start = float(self._energy[0, EnergyColumn.potential_energy])
-        self._energy[0, EnergyColumn.potential_energy] -= self._potential_at_start
-        self.recorder.append_rows("contact", self._contact[:count])
+        if math.isnan(self.potential_at_start):
+            self.potential_at_start = float(self._energy[0, EnergyColumn.potential_energy])
+        self._energy[0, EnergyColumn.potential_energy] -= self.potential_at_start
+        # the contact log last, also on disk: playback needs the motion at all of its times
         self.recorder.append_rows("motion", self._motion)
         self.recorder.append_rows("energy", self._energy)
+        self.recorder.append_rows("contact", self._contact[:count])
 
 
 def _places(vehicle: Vehicle) -> IntArray:

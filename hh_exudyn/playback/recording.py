@@ -1,4 +1,8 @@
-"""A recording file (`.rrd`), renamed into place when it is complete."""
+"""A recording file (`.rrd`), renamed into place when it is complete and has been read back.
+
+It is gathered in memory and written here: on a full disk rerun's own writer leaves a file cut off, and waits
+for ever.
+"""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -6,6 +10,8 @@ from pathlib import Path
 
 import rerun as rr
 import rerun.blueprint as rrb
+
+from hh_exudyn.log.parts import write_bytes
 
 APPLICATION = "hh_exudyn"
 
@@ -22,15 +28,19 @@ def new_recording(path: Path, name: str, blueprint: rrb.Blueprint) -> Iterator[r
         Name of the recording in the viewer.
     blueprint
         How the viewer arranges it.
+
+    Raises
+    ------
+    OSError
+        The file cannot be written, for instance on a full disk.
     """
     stream = rr.RecordingStream(APPLICATION, send_properties=False)
-    partial = path.with_name(path.name + ".part")
+    memory = stream.memory_recording()
     try:
-        stream.save(partial, default_blueprint=blueprint)
+        stream.send_blueprint(blueprint)
         stream.send_recording_name(name)
         yield stream
-        stream.disconnect()  # flushes
-        partial.replace(path)
+        stream.flush()
+        write_bytes(path, memory.drain_as_bytes(), read_back=True)
     finally:
         stream.disconnect()
-        partial.unlink(missing_ok=True)

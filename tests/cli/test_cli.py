@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from importlib import resources
@@ -176,12 +177,16 @@ def test_run_prints_recording_and_table(done: tuple[Path, subprocess.CompletedPr
 
 
 def test_case_is_kept_with_the_run(done: tuple[Path, subprocess.CompletedProcess[str]]) -> None:
-    assert read_case(done[0] / "case.toml") == SHORT
+    """With the vehicle by content, in place of its name."""
+    kept = read_case(done[0] / "case.toml")
+    assert kept.described_vehicle() == SHORT.described_vehicle()
+    assert kept.with_changes(vehicle=SHORT.vehicle) == SHORT
 
 
 def test_damage_of_a_run(done: tuple[Path, subprocess.CompletedProcess[str]], tmp_path: Path) -> None:
     names = [
-        *("damage.csv", "fatigue.png", "rcf_bins.png", "rcf_map.png", "shakedown.png", "wear.png"),
+        *("damage.csv", "fatigue.png", "rcf_bins.png", "rcf_map.png", "settings.json", "shakedown.png"),
+        "wear.png",
     ]
     result = call("damage", done[0], "--out", tmp_path / "damage")
     assert result.exit_code == 0, result.stderr
@@ -249,6 +254,7 @@ def test_bad_rows_are_refused_or_left_out(
     with Recorder(tmp_path / "bad", {"case": (done[0] / "case.toml").read_text()}) as recorder:
         recorder.append("contact", columns)
     write_status(tmp_path / "bad", {"finished": True})
+    shutil.copy(done[0] / "vehicle.json", tmp_path / "bad")
     result = call("damage", tmp_path / "bad", "--out", tmp_path / "out")
     assert result.exit_code == 2
     message = one_line(result.stderr)

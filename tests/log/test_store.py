@@ -123,7 +123,7 @@ def test_failed_write_leaves_no_file_and_can_be_repeated(
         raise OSError(28, "No space left on device")
 
     with monkeypatch.context() as patch:
-        patch.setattr("hh_exudyn.log.recorder.os.fsync", full)
+        patch.setattr("hh_exudyn.log.parts.os.fsync", full)
         with pytest.raises(OSError, match="No space"):
             recorder.flush()
     assert list((tmp_path / "run" / "contact").iterdir()) == []

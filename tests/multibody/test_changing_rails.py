@@ -93,7 +93,7 @@ def test_patches_on_changing_rails_are_found_again(demo: Case, runs: Path) -> No
     """Strips are rebuilt from the log on the rail of each row's arc length, in the ramp too."""
     case = straight(demo, ONE, OTHER).with_changes(contact={"normal": "kik_piotrowski"})
     run = simulate(case, runs / "strips_change")
-    model = Case.from_toml(run.case_text).contact_model()
+    model = Case.from_toml(run.case_text, folder=run.directory).contact_model()
     rows = run.contact().to_pylist()
     inside = [row for row in rows if abs(row["s"] - CHANGE) < 1.0 and row["normal_force"] > 2e4]
     behind = [row for row in rows if row["s"] > CHANGE + 1.0 and row["normal_force"] > 2e4]

@@ -16,7 +16,7 @@ def test_strips_of_a_run_are_found_again(short_case: Case, runs: Path) -> None:
     integration = {"output_interval_ms": 100.0}
     simulate(short_case.with_changes(contact=contact, integration=integration), runs / "strips")
     run = open_run(runs / "strips")
-    model = Case.from_toml(run.case_text).contact_model()
+    model = Case.from_toml(run.case_text, folder=run.directory).contact_model()
     rows = run.contact().to_pylist()
     assert len({(row["wheelset"], row["side"]) for row in rows}) == 8
     for row in rows[:: max(1, len(rows) // 40)]:

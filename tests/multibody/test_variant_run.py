@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hh_exudyn.case import Case
+from hh_exudyn.case import Case, read_case
 from hh_exudyn.log.store import Run
 from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.equilibrium import equilibrium
@@ -61,7 +61,8 @@ def test_run_does_not_follow_the_file(worn_run) -> None:
     file.write_text('base = "iore_wagon_loaded"\nwagon.payload = 10000\n')
     assert from_json(run.vehicle_text) == ran
     stored = Case.from_toml(run.case_text, folder=run.directory)
-    assert stored == case
+    assert stored.described_vehicle() == ran
+    assert stored.with_changes(vehicle=case.vehicle) == case
     assert stored.described_vehicle() == ran
     assert simulate_once(case, run.directory).directory == run.directory  # the same case: not run again
     with pytest.raises(FileExistsError):
@@ -71,5 +72,11 @@ def test_run_does_not_follow_the_file(worn_run) -> None:
 def test_a_given_vehicle_is_kept_too(demo: Case, tmp_path: Path) -> None:
     """The case names another one; playback must draw the one that ran."""
     empty = vehicle("iore_wagon_empty")
-    run = simulate(demo.with_changes(track=TRACK), tmp_path / "run", vehicle=empty)
+    case = demo.with_changes(track=TRACK)
+    run = simulate(case, tmp_path / "run", vehicle=empty)
     assert from_json(run.vehicle_text) == empty
+    again = simulate(read_case(run.directory / "case.toml"), tmp_path / "again")  # runs the one that ran
+    assert again.contact() == run.contact()
+    assert simulate_once(case, run.directory, vehicle=empty) == run
+    with pytest.raises(FileExistsError, match="other case, vehicle or files"):
+        simulate_once(case, run.directory)

@@ -7,5 +7,6 @@
 `driver`            the driver: these laws together, from sample to sample
 `steering`          active steering of wheelsets by their axle boxes
 `control`           measurements and actuators of a controller
+`memory`            the changing state of controllers, to store it and to put it back
 ==================  ================================================================================
 """

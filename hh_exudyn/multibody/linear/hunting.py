@@ -10,7 +10,7 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import Bundle
-from hh_exudyn.multibody.assembly import explicit_settings, exudyn_system
+from hh_exudyn.multibody.assembly import explicit_settings, exudyn_system, whole_steps
 from hh_exudyn.multibody.interruption import Interruption
 from hh_exudyn.multibody.linear.modes import LinearVehicle
 from hh_exudyn.multibody.linear.stability import require_stable_step
@@ -177,7 +177,7 @@ def _solve(mbs: Any, duration: float, step: float) -> None:
     """Integrate without Exudyn's own messages, as `simulate` does."""
     exu.config.printToConsole = False
     try:
-        mbs.SolveDynamic(explicit_settings(duration, step), showHints=False)
+        mbs.SolveDynamic(explicit_settings(0, whole_steps(duration, step), step), showHints=False)
     finally:
         exu.config.printToConsole = True
 

@@ -154,6 +154,18 @@ def test_a_directory_is_one_wheels(tmp_path: Path) -> None:
         read_history(tmp_path)
 
 
+@pytest.mark.parametrize("share", [0.0, 0.5, 0.99])
+def test_a_step_that_is_cut_off_names_file_and_remedy(tmp_path: Path, share: float) -> None:
+    whole = evolve(WP4, RADIUS, even(1e-8), 3000e3, tmp_path)
+    last = tmp_path / f"step-{len(whole.steps) - 1:05d}.npz"
+    content = last.read_bytes()
+    last.write_bytes(content[: int(share * len(content))])
+    with pytest.raises(ValueError, match=rf"{last.name}: .* delete it and all later steps"):
+        read_history(tmp_path)
+    last.unlink()
+    _same(evolve(WP4, RADIUS, even(1e-8), 3000e3, tmp_path), whole)
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
