@@ -19,8 +19,8 @@ from hh_exudyn.cli.evaluation import (
     chosen_folder,
     complete_folder,
     law_and_steel,
+    save_labelled,
     settings,
-    write_above,
     write_settings,
 )
 from hh_exudyn.cli.names import NamesInHelp
@@ -211,8 +211,7 @@ def show_damage(
         for name, table in tables.items():
             pyarrow.csv.write_csv(table, partial / name)
         for name, figure in figures.items():
-            write_above(figure, label)
-            figure.savefig(partial / name, dpi=output.DOTS_PER_INCH)
+            save_labelled(figure, label, partial / name)
         write_settings(partial, settings(run, report, surface, distance_km))
     output.print_left_out(run)
     output.print_line(f"law, steel, theory: {label}")

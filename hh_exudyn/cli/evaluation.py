@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from hh_exudyn import __version__
 from hh_exudyn.cli.inputs import BadInput, require_new_folder
+from hh_exudyn.cli.output import DOTS_PER_INCH
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -78,18 +79,26 @@ def law_and_steel(report: "DamageReport", surface: str | None) -> str:
     return f"{model.law.name}{state}, {model.material.name}, {model.theory} on {model.normal}"
 
 
-def write_above(figure: "Figure", text: str) -> None:
-    """Write a line into a strip of its own above a figure, which becomes that much higher."""
+def save_labelled(figure: "Figure", text: str, path: Path) -> None:
+    """Save a figure with a line in a strip of its own above it; the figure itself stays as it is.
+
+    Parameters
+    ----------
+    figure
+        To be saved.
+    text
+        The line.
+    path
+        Of the picture.
+    """
+    from matplotlib.transforms import Bbox
+
     strip = 0.22  # inches
     width, height = figure.get_size_inches()
-    figure.set_size_inches(width, height + strip)
-    share = strip / (height + strip)
-    engine = figure.get_layout_engine()
-    if engine is not None:
-        engine.set(rect=(0.0, 0.0, 1.0, 1.0 - share))  # type: ignore[call-arg]
-    for legend in figure.legends:  # outside of the axes: its place follows from the whole figure
-        legend.set_bbox_to_anchor((0.0, 0.0, 1.0, 1.0 - share), transform=figure.transFigure)
-    figure.text(0.99, 1.0 - 0.5 * share, text, ha="right", va="center", fontsize=7, color="0.35")
+    place = 1.0 + 0.5 * strip / height
+    line = figure.text(0.99, place, text, ha="right", va="center", fontsize=7, color="0.35")
+    line.set_in_layout(False)
+    figure.savefig(path, dpi=DOTS_PER_INCH, bbox_inches=Bbox([[0.0, 0.0], [width, height + strip]]))
 
 
 def settings(

@@ -2,11 +2,15 @@
 
 The last part of a log grows: about every second of wall time it is replaced by a longer one, until it is
 full. So a killed run keeps all but its last second, and the parts of a finished run do not depend on the
-clock. The layout on disk is that of `hh_exudyn.log.store`, which reads it back.
+clock. A thread writes the growing parts: bringing them to the disk takes a sixth of a run, most of it spent
+waiting. A fault of the disk is raised at the next call. The layout on disk is that of `hh_exudyn.log.store`,
+which reads it back.
 """
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -121,6 +125,8 @@ class Recorder:
         self._closed = False
         self._buffers: dict[str, _Buffer] = {}
         self._next_keeping = time.monotonic() + KEEP_INTERVAL
+        self._writer = ThreadPoolExecutor(max_workers=1, thread_name_prefix="recorder")
+        self._writing: list[Future[None]] = []
         if resumed is None:
             claim_directory(self.directory)
         self._lock = locked(self.directory)
@@ -157,8 +163,10 @@ class Recorder:
             buffer.count += here
             done += here
             if buffer.count == self._rows_per_part:  # also where writing has failed before
-                self._flush(but=log)  # no log ends long before the others, if this is the last moment
-                self._write(log, buffer)
+                self.settle()
+                self._begin_growing(but=log)  # no log ends long before the others, if this is the last moment
+                self.settle()
+                self._write(log, buffer.parts, buffer.rows)
                 buffer.parts += 1
                 buffer.count = buffer.written = 0
 
@@ -195,20 +203,48 @@ class Recorder:
         self.append_rows(log, np.column_stack(values))
 
     def keep(self) -> None:
-        """Write all rows, if that is `KEEP_INTERVAL` ago; call it when the rows of a time are complete."""
+        """Begin to write all rows, if that is `KEEP_INTERVAL` ago; call it when a time has all its rows.
+
+        Raises
+        ------
+        OSError
+            An earlier writing has failed, here and below.
+        """
         if time.monotonic() >= self._next_keeping:
             self.flush()
 
-    def flush(self) -> None:
-        """Write all rows; the last part of every log goes on growing."""
-        self._flush()
+    def flush(self, behind: Callable[[], None] | None = None) -> None:
+        """Begin to write all rows; the last part of every log goes on growing.
+
+        Where the disk is still busy with the writing before, nothing is done: the next call does it.
+
+        Parameters
+        ----------
+        behind
+            Called when they are on disk, in the thread that writes.
+        """
+        if not all(writing.done() for writing in self._writing):
+            return
+        self.settle()
+        self._begin_growing()
+        if behind is not None:
+            self._writing.append(self._writer.submit(behind))
         self._next_keeping = time.monotonic() + KEEP_INTERVAL
 
-    def _flush(self, but: str = "") -> None:
-        """Write the rows of all logs but one, in the order in which the logs were begun."""
+    def _begin_growing(self, but: str = "") -> None:
+        """Begin to write the rows of all logs but one, in the order in which the logs were begun."""
         for log, buffer in self._buffers.items():
             if log != but and buffer.count > buffer.written:
-                self._write(log, buffer, growing=True)
+                rows = buffer.rows[: buffer.count].copy()
+                write = partial(self._write, log, buffer.parts, rows, growing=True)
+                self._writing.append(self._writer.submit(write))
+                buffer.written = buffer.count
+
+    def settle(self) -> None:
+        """Wait until all that was begun is on disk; the first fault is raised."""
+        writings, self._writing = self._writing, []
+        for writing in writings:
+            writing.result()
 
     @property
     def totals(self) -> dict[str, int]:
@@ -218,11 +254,13 @@ class Recorder:
     def close(self) -> None:
         """Write the buffered rows; further rows raise ValueError."""
         if not self._closed:
+            self.settle()
             for log, buffer in self._buffers.items():
                 if buffer.count:
-                    self._write(log, buffer)
+                    self._write(log, buffer.parts, buffer.rows[: buffer.count])
             self._closed = True
             self._buffers.clear()
+            self._writer.shutdown()
             self._lock.close()
 
     def __enter__(self) -> "Recorder":
@@ -237,6 +275,7 @@ class Recorder:
         try:
             self.close()
         except OSError:
+            self._writer.shutdown()
             self._lock.close()
             if not isinstance(error, OSError):  # else it is the same full disk
                 raise
@@ -270,7 +309,7 @@ class Recorder:
                 texts = values.to_pylist() if column.kind == "string" else values.to_numpy()
                 buffer.rows[:rest, index] = self._codes(column.name, texts)
             buffer.count = rest
-            self._write(log, buffer)
+            self._write(log, full, buffer.rows[:rest])
         for path in (*paths.values(), *(self.directory / log).glob(f"*{TEMPORARY_SUFFIX}")):
             if path not in kept:
                 path.unlink()
@@ -286,17 +325,14 @@ class Recorder:
                 names.append(text)
         return np.array([names.index(text) for text in array.tolist()], dtype=np.float64)
 
-    def _write(self, log: str, buffer: _Buffer, growing: bool = False) -> None:
-        """Write the growing part, in place of the shorter one on disk."""
-        rows = buffer.rows[: buffer.count]
-        arrays = [
-            self._arrow_column(log, column, rows[:, index]) for index, column in enumerate(buffer.columns)
-        ]
-        table = pyarrow.table(arrays, names=[column.name for column in buffer.columns])
+    def _write(self, log: str, part: int, rows: NDArray[np.float64], growing: bool = False) -> None:
+        """Write a part of a log, in place of a shorter one on disk."""
+        columns = LOGS[log]
+        arrays = [self._arrow_column(log, column, rows[:, index]) for index, column in enumerate(columns)]
+        table = pyarrow.table(arrays, names=[column.name for column in columns])
         table = table.replace_schema_metadata({**self._metadata, LOG_KEY: log.encode()})
-        texts = [column.name for column in buffer.columns if column.kind == "string"]
-        write_part(part_path(self.directory, log, buffer.parts), table, texts, growing)
-        buffer.written = buffer.count
+        texts = [column.name for column in columns if column.kind == "string"]
+        write_part(part_path(self.directory, log, part), table, texts, growing)
 
     def _arrow_column(self, log: str, column: Column, values: NDArray[np.float64]) -> pyarrow.Array:
         if column.kind == "float64":

@@ -42,6 +42,11 @@ class Checkpoint:
     arrays: Mapping[str, FloatArray]
     facts: Mapping[str, Any]
 
+    def copy(self) -> "Checkpoint":
+        """The same state in memory of its own."""
+        arrays = {name: array.copy() for name, array in self.arrays.items()}
+        return Checkpoint(arrays, json.loads(json.dumps(self.facts)))
+
     def write(self, directory: Path) -> None:
         """Write it into the folder of a run in place of the one before; OSError where that fails."""
         texts = np.array(json.dumps(self.facts))

@@ -5,6 +5,7 @@ import math
 import time as clock
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext, suppress
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -253,9 +254,8 @@ class _Integration:
         self._state.update(q=q, v=v)
         self._numbers["potential"] = self._log.potential_at_start
         recorder = self._log.recorder
-        recorder.flush()
         control = {} if self._control is None else self._control.memory()
-        Checkpoint(
+        checkpoint = Checkpoint(
             {
                 **self._state,
                 **dict(flat("work/", self._work)),
@@ -268,7 +268,9 @@ class _Integration:
                 "numbers": self._numbers,
                 "times": self.times,
             },
-        ).write(recorder.directory)
+        )
+        # copied, as the run goes on while it is written
+        recorder.flush(partial(checkpoint.copy().write, recorder.directory))
 
     def run(self, log: LogWriter, progress: Progress | None) -> None:
         """Integrate to the end of the track.

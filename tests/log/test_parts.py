@@ -80,6 +80,7 @@ def test_rows_on_disk_grow_with_the_clock(tmp_path: Path, monkeypatch: pytest.Mo
             recorder.append_rows("contact", np.full((5, COLUMNS), float(second)))
             now[0] += 0.5
             recorder.keep()
+            recorder.settle()
             there = list((tmp_path / "run" / "contact").glob("*"))
             assert len(there) == (0 if second == 0 else 1)
         assert open_run(tmp_path / "run").contact().num_rows == 20

@@ -126,6 +126,7 @@ def test_failed_write_leaves_no_file_and_can_be_repeated(
         patch.setattr("hh_exudyn.log.parts.os.fsync", full)
         with pytest.raises(OSError, match="No space"):
             recorder.flush()
+            recorder.settle()
     assert list((tmp_path / "run" / "contact").iterdir()) == []
     recorder.close()
     assert open_run(tmp_path / "run").contact().num_rows == 4
