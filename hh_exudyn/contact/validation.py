@@ -67,10 +67,10 @@ def theory_rows(table: list[TheoryErrors]) -> list[Comparison]:
 def coefficient_rows() -> list[Comparison]:
     """Worst deviations of Kalker's coefficients, from his table and from the half-space without slip."""
     low, high = _TABLE_END
-    table, contact = "Kalker 1990, table E.3, in CONTACT", "CONTACT, no slip"
+    table, contact = "Kalker 1990, table E.3", "CONTACT, no slip"
     return [
         *_worst(
-            "table", table, "the table and its asymptotes", lambda ratio: ratio not in _TABLE_END, (1e-6,) * 3
+            "table", table, "table and asymptotes", lambda ratio: ratio not in _TABLE_END, (1e-6,) * 3
         ),
         *_worst(
             "computed",

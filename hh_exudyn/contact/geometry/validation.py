@@ -175,9 +175,9 @@ def _cones() -> list[Comparison]:
     """Cones on a rail: twice the slope per displacement, and the slope as conicity."""
     slope, at = 0.05, 3e-3
     wheel, rail = cone(slope), rail_profile("60E1", 1.0 / 30.0)
-    pair, source = (wheel, rail, wheel, rail), "Klingel 1883, cones"
-    difference = rolling_radius_difference(*pair, lateral=np.array([at]), **BENCHMARK)
-    conicity = equivalent_conicity(*pair, amplitudes=np.array([at]), **BENCHMARK)
+    source = "Klingel 1883, cones"
+    difference = rolling_radius_difference(wheel, rail, wheel, rail, lateral=np.array([at]), **BENCHMARK)
+    conicity = equivalent_conicity(wheel, rail, wheel, rail, amplitudes=np.array([at]), **BENCHMARK)
     return [
         Comparison("radius difference at 3 mm [m]", source, float(difference[0]), 2.0 * slope * at, 1e-4),
         Comparison("conicity at 3 mm", source, float(conicity[0]), slope, 1e-5),

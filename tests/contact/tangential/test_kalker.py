@@ -1,4 +1,4 @@
-"""Kalker's coefficients: no jumps, limits, bad input; tests/contact/test_validation.py holds their numbers."""
+"""Kalker's coefficients: no jumps, limits, bad input. Numbers: tests/contact/test_validation.py."""
 
 import numpy as np
 import pytest
