@@ -39,7 +39,7 @@ def _all_by_default(context: typer.Context) -> None:
 
 @validate.command("all")
 def everything(profiles: Profiles = None) -> None:
-    """All sections, one after the other; a minute."""
+    """All sections, one after the other; some minutes."""
     with output.errors_in_one_line():
         _check_folder(profiles)
         _print_verdict([row for name in SECTIONS for row in _compared(name, _section(name, profiles))])
@@ -70,7 +70,7 @@ def validate_contact() -> None:
 
 @validate.command("geometry")
 def validate_geometry(profiles: Profiles = None) -> None:
-    """Equivalent conicity and rolling radius difference against EN 15302's tables, and cones."""
+    """Conicity against EN 15302's tables, and cones; with --profiles from the standard's wheels and rail."""
     _one("geometry", profiles)
 
 

@@ -132,7 +132,7 @@ def cooperrider_rows(exchanged: bool) -> list[Comparison]:
             raise ValueError(f"vehicle {name} states no contact")
         given = replace(stated, longitudinal=stated.lateral, lateral=stated.longitudinal)
         bogie = replace(bogie, contact=given)
-        name, label, source = f"{name} exchanged", "– creep constants exchanged", "Hassard, published"
+        name, label, source = f"{name} exchanged", "– constants exchanged", "Hassard, published"
     speed, frequency = (_outside(name, quantity)[0] for quantity in ("speed", "frequency"))
     linear = LinearVehicle(bogie, straight_case())
     return _hunting(label, source, linear, (speed, frequency), (1.5e-3, 2e-3))
