@@ -43,6 +43,7 @@ def test_package_comes_from_site_packages(name: str) -> None:
         ("hh_exudyn", "demo.toml"),
         ("hh_exudyn", "validation/creep_forces.csv"),
         ("hh_exudyn", "validation/stress_fields.npz"),
+        ("hh_exudyn", "validation/en15302_conicity.csv"),
         ("vehicles", "iore_wagon.toml"),
         ("track", "flexibility.toml"),
         ("damage", "wear.toml"),

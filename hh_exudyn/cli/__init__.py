@@ -2,7 +2,8 @@
 
 =============  ======================================================================================
 `app`          the command itself: run, demo, playback
-`contact`      conicity, patch, validate
+`contact`      conicity, patch
+`validate`     the toolkit beside numbers from outside
 `creep_curve`  creep force over creepage by every theory
 `damage`       wear and fatigue of a run
 `evaluation`   folder and settings of a damage evaluation

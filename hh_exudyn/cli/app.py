@@ -5,7 +5,7 @@ exit code  meaning
 =========  ==================================================================================
 0          done
 1          a full disk or another fault of the machine, with path and reason; a fault of the program, with the
-           file of the traceback
+           file of the traceback; `validate`: a row fails
 2          bad input: one line with what is allowed; nothing was begun or overwritten
 3          the vehicle derailed or the run diverged; the log up to then remains
 130        Ctrl-C; the log up to then remains
@@ -37,6 +37,7 @@ from hh_exudyn.cli import inputs, output
 from hh_exudyn.cli import linear as cli_linear
 from hh_exudyn.cli import parameters as cli_parameters
 from hh_exudyn.cli import track as cli_track
+from hh_exudyn.cli import validate as cli_validate
 from hh_exudyn.cli import vehicle as cli_vehicle
 from hh_exudyn.cli.damage import show_damage
 from hh_exudyn.cli.usage import OneLineUsage
@@ -61,6 +62,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 cli_contact.register(app)
+cli_validate.register(app)
 cli_creep_curve.register(app)
 cli_damage.register(app)
 cli_track.register(app)

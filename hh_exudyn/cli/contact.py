@@ -1,4 +1,4 @@
-"""The commands about one contact: ``patch``, ``validate``, ``conicity``. They compute nothing themselves.
+"""The commands about one contact: ``patch`` and ``conicity``. They compute nothing themselves.
 
 Conversion to millimetres, kilonewtons and per mille is here; the packages below use SI. Large packages are
 imported inside the commands, so that ``--help`` is fast.
@@ -16,19 +16,15 @@ from hh_exudyn.cli import inputs, output
 from hh_exudyn.cli.names import NamesInHelp
 
 if TYPE_CHECKING:
-    from hh_exudyn.contact.comparison import Comparison
     from hh_exudyn.contact.geometry.merit import ConicityReport
     from hh_exudyn.contact.profile import Profile
     from hh_exudyn.contact.tangential.api import CreepForce, PatchLoad, TractionField
-
-validate = typer.Typer(help="Compare the toolkit with outside numbers.", no_args_is_help=True)
 
 
 def register(app: typer.Typer) -> None:
     """Add the commands of this file to the program."""
     app.command(cls=NamesInHelp)(patch)
     app.command(cls=NamesInHelp)(conicity)
-    app.add_typer(validate, name="validate")
 
 
 def patch(
@@ -112,65 +108,6 @@ def _patch_table(
             *stresses,
         )
     return table
-
-
-@validate.command("contact")
-def validate_contact() -> None:
-    """Creep forces and stresses of every theory against the exact solution, over the reference cases."""
-    with output.errors_in_one_line():
-        from hh_exudyn.contact.tangential.validation import COLUMNS, contact_table, to_table
-
-        with output.status("comparing"):
-            rows = to_table(contact_table())
-        table = output.new_table(
-            "Errors of the tangential theories against the exact half-space solution", COLUMNS
-        )
-        table.padding = (0, 0, 0, 1)  # many columns
-        for row in rows:
-            table.add_row(*row)
-        output.print_table(table)
-        output.print_line(
-            "force: in % of friction * normal force; |q| traction, |s| slip, peak of |q|: in % of the exact"
-        )
-
-
-@validate.command("strips")
-def validate_strips() -> None:
-    """Coupled strips against Hertz's ellipses and CONTACT's conformal poses from tread to flange."""
-    with output.errors_in_one_line():
-        from hh_exudyn.contact.strips.validation import strips_table
-
-        _print_comparisons("Coupled strips against numbers from outside", strips_table)
-
-
-@validate.command("halfspace")
-def validate_halfspace() -> None:
-    """The exact half-space solver against Hertz, Johnson and CONTACT: pressure, rolling, wheel on rail."""
-    with output.errors_in_one_line():
-        from hh_exudyn.contact.halfspace.validation import halfspace_table
-
-        _print_comparisons("The half-space solver against numbers from outside", halfspace_table)
-
-
-def _print_comparisons(title: str, compared: "Callable[[], list[Comparison]]") -> None:
-    """Compare; print a table with quantity, source, ours, deviation, allowed, verdict."""
-    with output.status("comparing"):
-        rows = compared()
-    table = output.new_table(
-        title, ("quantity", "source", "ours", "outside", "deviation [%]", "allowed [%]", "verdict")
-    )
-    for row in rows:
-        table.add_row(
-            row.quantity,
-            row.source,
-            f"{row.found:.4g}",
-            f"{row.wanted:.4g}",
-            output.number(100.0 * row.deviation, 2),
-            output.number(100.0 * row.allowed, 1),
-            "holds" if row.holds else "FAILS",
-        )
-    output.print_table(table)
-    output.print_line("an error or a worst deviation of many: ours is the deviation itself, outside 0")
 
 
 def conicity(

@@ -32,7 +32,7 @@ TABLE_WIDTH = 120  # largest width of a table in a file or a pipe
 # names and paths are anybody's: "[/b]" and ":x:" are text, never markup or emoji
 out = Console(soft_wrap=True, highlight=False, markup=False, emoji=False)
 err = Console(stderr=True, soft_wrap=True, highlight=False, markup=False, emoji=False)
-_FAULTY_MACHINE = {errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.ENOMEM, errno.EMFILE, errno.ENFILE}
+_FAULTY_MACHINE = {errno.EIO, errno.ENOMEM, errno.EMFILE, errno.ENFILE}
 
 
 class Terminated(SystemExit):
@@ -66,14 +66,14 @@ def errors_in_one_line(folder: Path | None = None) -> Iterator[None]:
     except OSError as error:
         if error.errno in _FULL:
             fail(FAULT, f"{error.filename or folder}: {error.strerror}; {log_place(folder)}")
+        if error.errno not in _FAULTY_MACHINE:
+            fail(BAD_INPUT, _file_fault(error))  # a file or folder of the user: missing, read-only, a loop
         _fail_with_traceback(error, folder)
     except Exception as error:
         from hh_exudyn.case.errors import CaseError  # the package of cases is heavy: not for --help
 
         if isinstance(error, CaseError):
             fail(BAD_INPUT, str(error))
-        if isinstance(error, OSError) and error.errno not in _FAULTY_MACHINE:
-            fail(BAD_INPUT, _file_fault(error))  # a file or folder of the user: missing, read-only, a loop
         _fail_with_traceback(error, folder)
 
 

@@ -25,6 +25,7 @@ Their composition.
 `wheelset`          a wheel or a wheelset at rest on its rails: the height that carries the load
 `patch_shape`       strips and tractions of a logged patch
 `comparison`        a number of ours beside one from outside: rows of `hh-exudyn validate`
+`validation`        creep forces by theory and Kalker's coefficients, as such rows
 ==================  =================================================================================
 
 Fronts: import paths for callers from outside.

@@ -1,29 +1,31 @@
 """The only importer of Exudyn: vehicle and track descriptions become a multibody system and are run.
 
-==============  ====================================================================================
-`model`         layout of the coordinates; the constant model, its inputs, and the kernel's work space
-`assembly`      descriptions -> model -> Exudyn system
-`vectors`       three-vectors and rotations inside kernels
-`couplings`     folder: forces of the suspension elements between two bodies
-`brakes`        shoes on the treads: thrust, friction, reaction on the side frames
-`system`        `evaluate`: all forces of a vehicle on its track
-`equilibrium`   rest on straight track, before the run
-`rolling`       state of a vehicle that rolls in one place: the unknowns of the equilibrium
-`settling`      its damped motion, where no root search finds the equilibrium
-`remaining`     largest residual force of a vehicle out of equilibrium, and its place
-`linear`        folder: modes, stability and hunting about the equilibrium
-`control`       controllers in the loop: driver and steering of a vehicle with drives
-`watch`         derailment, divergence, a step too large: reasons to stop a run
-`chatter`       wheels whose contact jumps from place to place, counted in windows
-`climb`         wheels that rise from their rail, or run on the flange alone
-`interruption`  Ctrl-C and SIGTERM while Exudyn integrates
-`recording`     rows of the logs
-`checkpoint`    state of a run between two segments of its integration, to resume from
-`provenance`    what a run was made from and with
-`simulate`      `simulate(case, directory)`
-`once`          `simulate_once`: finished runs of a study are reused
-`hysteresis`    force over deflection of a bogie's friction elements in slow cycles
-==============  ====================================================================================
+===============  ===================================================================================
+`model`          layout of the coordinates; the constant model, its inputs, and the kernel's work space
+`assembly`       descriptions -> model -> Exudyn system
+`vectors`        three-vectors and rotations inside kernels
+`couplings`      folder: forces of the suspension elements between two bodies
+`brakes`         shoes on the treads: thrust, friction, reaction on the side frames
+`system`         `evaluate`: all forces of a vehicle on its track
+`equilibrium`    rest on straight track, before the run
+`rolling`        state of a vehicle that rolls in one place: the unknowns of the equilibrium
+`settling`       its damped motion, where no root search finds the equilibrium
+`remaining`      largest residual force of a vehicle out of equilibrium, and its place
+`linear`         folder: modes, stability and hunting about the equilibrium
+`control`        controllers in the loop: driver and steering of a vehicle with drives
+`watch`          derailment, divergence, a step too large: reasons to stop a run
+`chatter`        wheels whose contact jumps from place to place, counted in windows
+`climb`          wheels that rise from their rail, or run on the flange alone
+`interruption`   Ctrl-C and SIGTERM while Exudyn integrates
+`recording`      rows of the logs
+`checkpoint`     state of a run between two segments of its integration, to resume from
+`provenance`     what a run was made from and with
+`simulate`       `simulate(case, directory)`
+`once`           `simulate_once`: finished runs of a study are reused
+`hysteresis`     force over deflection of a bogie's friction elements in slow cycles
+`free_wheelset`  a wheelset that nothing guides, on cones
+`validation`     vehicles against closed forms and outside numbers, as rows of `hh-exudyn validate`
+===============  ===================================================================================
 """
 
 try:

@@ -1,4 +1,4 @@
-"""The commands about one contact: patch, validate, conicity. Numbers, refusals, figures."""
+"""The commands about one contact: patch and conicity. Numbers, refusals, figures."""
 
 import re
 from pathlib import Path
@@ -11,7 +11,6 @@ from hh_exudyn.contact.geometry.functions import equivalent_conicity, rolling_ra
 from hh_exudyn.contact.profile import Profile, rail_profile, read_rail_profile, wheel_profile
 from hh_exudyn.contact.tangential.api import creep_force
 from hh_exudyn.contact.tangential.registry import PATCH_THEORIES
-from hh_exudyn.contact.tangential.validation import contact_table, to_table
 
 PATCH = ("patch", "--a-mm", "6", "--b-mm", "4", "--load-kn", "100")
 CREEPAGE = ("--nu-x", "1e-3", "--nu-y", "-5e-4", "--spin", "0.1", "--friction", "0.3")
@@ -78,16 +77,6 @@ def test_missing_option_is_exit_code_2() -> None:
     result = call("patch", "--a-mm", "6")
     assert result.exit_code == 2
     assert "--b-mm" in result.stderr
-
-
-def test_validate_contact_prints_the_table_of_errors() -> None:
-    result = call("validate", "contact")
-    assert result.exit_code == 0, result.stderr
-    assert "…" not in result.stdout  # nothing cut off
-    wanted = to_table(contact_table())
-    printed = [line.split() for line in result.stdout.splitlines()]
-    for row in wanted:
-        assert " ".join(row).split() in printed
 
 
 CONICITY = ("conicity", "S1002", "60E1")

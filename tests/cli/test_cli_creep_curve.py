@@ -1,4 +1,4 @@
-"""`hh-exudyn creep-curve` and `hh-exudyn validate halfspace`."""
+"""`hh-exudyn creep-curve`."""
 
 import csv
 from pathlib import Path
@@ -6,7 +6,6 @@ from pathlib import Path
 import pytest
 from command_line import call, refused
 
-from hh_exudyn.contact.halfspace import validation
 from hh_exudyn.contact.tangential.api import creep_force
 from hh_exudyn.contact.tangential.registry import PATCH_THEORIES
 
@@ -55,15 +54,3 @@ def test_the_linear_theory_reaches_the_limit_at_the_unit() -> None:
 )
 def test_bad_input_is_one_line(words: tuple[str, str], message: str) -> None:
     assert message in refused(*PATCH, *words)
-
-
-def test_validate_halfspace_prints_every_row(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The quick parts; all of them run in tests/contact/halfspace/test_validation.py."""
-    rows = [*validation._hertz(), validation.Comparison("made up", "nobody", 2.0, 1.0, 0.01)]
-    monkeypatch.setattr(validation, "halfspace_table", lambda: rows)
-    result = call("validate", "halfspace")
-    assert result.exit_code == 0, result.stderr
-    for row in rows:
-        assert row.quantity in result.stdout
-    assert result.stdout.count("holds") == 3
-    assert result.stdout.count("FAILS") == 1

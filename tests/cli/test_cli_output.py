@@ -54,7 +54,7 @@ def test_output_consoles_know_no_markup() -> None:
         (
             OSError(errno.ENOSPC, "No space left on device", "/full/x"),
             1,
-            "No space left on device: '/full/x'",
+            "/full/x: No space left on device",
         ),
         (OSError(errno.EIO, "Input/output error", "/disk/x"), 1, "Input/output error"),
         (ZeroDivisionError("a fault"), 1, "ZeroDivisionError: a fault"),

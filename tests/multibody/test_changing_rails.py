@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 import pytest
 from energy_ledger import balance
-from free_wheelset import conical_wheel, free_wheelset
 from run_tables import table
 
 from hh_exudyn.case import Case
@@ -16,6 +15,7 @@ from hh_exudyn.contact.profiles.spline import spline_evaluate, spline_table
 from hh_exudyn.contact.state import from_log_row
 from hh_exudyn.contact.types import SplineTable
 from hh_exudyn.log.store import Run
+from hh_exudyn.multibody.free_wheelset import conical_wheel, free_wheelset
 from hh_exudyn.multibody.simulate import simulate
 
 ONE, OTHER = "60E1", "54E2"

@@ -5,6 +5,7 @@ import pyarrow.parquet
 import pytest
 from run_tables import steady, table, wheel_means
 
+from hh_exudyn.case.sealed import sealed
 from hh_exudyn.multibody.simulate import simulate
 
 
@@ -69,7 +70,7 @@ def test_a_quarter_of_the_step_changes_them_still_less(demo, demo_run, half_step
 
 def test_logs_carry_the_case_and_whole_outputs(demo, demo_run):
     part = sorted((demo_run.directory / "contact").glob("*.parquet"))[0]
-    assert pyarrow.parquet.read_metadata(part).metadata[b"case"].decode() == demo.to_toml()
+    assert pyarrow.parquet.read_metadata(part).metadata[b"case"].decode() == sealed(demo).text
     motion = table(demo_run, "motion")
     outputs = np.unique(motion.time)
     assert motion.time.size == outputs.size * 11

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from free_wheelset import CONICITY, conical_wheel, free_wheelset
 from run_tables import table
 
 from hh_exudyn.contact.profile import gauge_point, rail_profile
+from hh_exudyn.multibody.free_wheelset import CONICITY, conical_wheel, free_wheelset
 from hh_exudyn.multibody.simulate import simulate
 
 

@@ -8,12 +8,12 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from free_wheelset import CONICITY, RADIUS, conical_wheel, free_wheelset
 from run_tables import table
 from scipy.optimize import least_squares
 
 from hh_exudyn.contact.profile import gauge_point, rail_profile
 from hh_exudyn.conventions import RAIL_TOP_DISTANCE
+from hh_exudyn.multibody.free_wheelset import CONICITY, RADIUS, conical_wheel, free_wheelset
 from hh_exudyn.multibody.simulate import simulate
 from track.course.alignment import track_frame
 from vehicles.catalogue import vehicle

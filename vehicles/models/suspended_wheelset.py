@@ -162,6 +162,24 @@ def critical_speed_closed_form(
     return math.sqrt(square), frequency
 
 
+def stated_critical_speed(
+    p: ParameterSet, conicity: float | None = None, **spin: float
+) -> tuple[float, float]:
+    """`critical_speed_closed_form` of the vehicle's own numbers: critical speed [m/s] and frequency [Hz].
+
+    Parameters
+    ----------
+    p : parameters of the suspended wheelset
+    conicity : instead of the one stated [-]
+    **spin : `roll` and `spin_inertia` of the closed form
+    """
+    return critical_speed_closed_form(
+        p["wheelset.mass"], p["wheelset.yaw_inertia"], p["suspension.lateral_stiffness"],
+        p["suspension.yaw_stiffness"], p["contact.longitudinal_creep"], p["contact.lateral_creep"],
+        p["contact.half_distance"], conicity or p["contact.conicity"], p["wheelset.radius"], **spin,
+    )  # fmt: skip
+
+
 def _smallest_positive_root(polynomial: Polynomial) -> float:
     """Of its real roots; infinite where none is positive. Its constant term is not zero.
 

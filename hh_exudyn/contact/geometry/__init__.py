@@ -10,5 +10,6 @@
 `conicity`           equivalent conicity from a table of rolling radius differences
 `rigid`              lowest gap and roll of a rigid wheelset on rigid rails (kernels)
 `merit`              figures of merit of a profile pair on a track: steering radius, smallest curve
+`validation`         EN 15302's benchmark and cones, as rows of `hh-exudyn validate`
 ===================  ================================================================================
 """

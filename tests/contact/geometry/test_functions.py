@@ -1,11 +1,4 @@
-"""Contact geometry functions and equivalent conicity: EN 15302's benchmark, cones, symmetry, bad input.
-
-The wheels A, B, H, I and rail A are read where they lie; the standard's results are in tests/reference. The
-rail file departs from a smooth head by up to 0.07 mm at its gauge corner and by some micrometres on its
-crown. So the radius difference of this nearly conformal pair (E1) moves in small jumps where the standard's
-is smooth, the gauge point lies 0.02 mm from where the standard has it (1435.16 = 1500 - 2 x 32.42 mm), and
-the last displacement before the tables end, on the flange, is off.
-"""
+"""Contact geometry functions and equivalent conicity: cones, symmetry, Manchester benchmark, bad input."""
 
 import csv
 import math
@@ -17,7 +10,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from manchester_rail import manchester_rail
 
-from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.functions import (
     contact_functions,
     equivalent_conicity,
@@ -31,83 +23,20 @@ from hh_exudyn.contact.geometry.merit import (
     gauge_sensitivity,
     radial_steering_index,
 )
+from hh_exudyn.contact.geometry.validation import cone
 from hh_exudyn.contact.profile import (
-    Profile,
     rail_profile,
-    read_rail_profile,
-    read_wheel_profile,
     wheel_profile,
 )
 from hh_exudyn.conventions import LEFT, RIGHT
 
 REFERENCE = Path(__file__).parents[2] / "reference"
-BENCHMARK = {"gauge": 1.43516, "tape_distance": 1.5, "radius_left": 0.46, "radius_right": 0.46}
-CASES = {"E1": "A", "E2": "B", "E3": "H", "E4": "I"}
-AT_JUMPS = {("E3", 2.5), ("E3", 2.6), ("E4", 1.8)}  # where a hundredth of a millimetre decides
-
-
-def reference(name: str, case: str) -> FloatArray:
-    """The numbers of one case from a reference table, one row a line."""
-    lines = (REFERENCE / name).read_text().splitlines()
-    rows = csv.reader(line for line in lines if not line.startswith("#"))
-    return np.array([[float(word) for word in row[2:]] for row in rows if row[0] == case])
-
-
-@pytest.fixture(scope="module", params=CASES)
-def en_case(request: pytest.FixtureRequest, shared_profiles: Path) -> tuple[str, Profile, Profile]:
-    """Name, wheel and rail of a case."""
-    wheel = read_wheel_profile(shared_profiles / f"RUIC519{CASES[request.param]}.dat")
-    return request.param, wheel, read_rail_profile(shared_profiles / "SUIC519A.dat")
-
-
-def test_radius_difference_of_en_15302(en_case: tuple[str, Profile, Profile]) -> None:
-    """Within 0.05 mm of what the displacements within 0.1 mm give (that is where jumps may lie)."""
-    case, wheel, rail = en_case
-    lateral, expected = reference("en15302_radius_difference.csv", case).T
-    shifts = np.arange(-10, 11) * 0.01
-    around = (lateral[:, None] + shifts).ravel() * 1e-3
-    found = rolling_radius_difference(wheel, rail, wheel, rail, lateral=around, **BENCHMARK)
-    nearby = 1e3 * found.reshape(len(lateral), -1)
-    off = np.maximum(np.maximum(nearby.min(axis=1) - expected, expected - nearby.max(axis=1)), 0.0)
-    last = np.abs(lateral) == np.abs(lateral).max()  # contact angle 66 degrees
-    assert off[~last].max() < 0.05
-    assert off[last].max() < 1.0
-    assert np.median(np.abs(nearby[:, len(shifts) // 2] - expected)) < 0.03
-
-
-def test_conicity_of_en_15302(en_case: tuple[str, Profile, Profile]) -> None:
-    case, wheel, rail = en_case
-    amplitude, _, upper, lower, wide_upper, wide_lower = reference("en15302_conicity.csv", case).T
-    found = equivalent_conicity(wheel, rail, wheel, rail, amplitudes=amplitude * 1e-3, **BENCHMARK)
-    assert ((wide_lower <= found) & (found <= wide_upper)).all()
-    narrow = np.array([(case, round(float(a), 1)) not in AT_JUMPS for a in amplitude])
-    assert ((lower <= found) & (found <= upper))[narrow].all()
-
-
-@pytest.mark.parametrize("case", CASES)
-def test_conicity_from_the_tables_of_en_15302(case: str) -> None:
-    """The integration alone: the standard's radius differences give the standard's conicities."""
-    lateral, delta_r = reference("en15302_radius_difference.csv", case).T * 1e-3
-    amplitude, expected = reference("en15302_conicity.csv", case).T[:2]
-    inside = amplitude * 1e-3 <= lateral.max()
-    found = conicity_from_radius_difference(
-        lateral, delta_r, radius=0.46, tape_distance=1.5, amplitudes=amplitude * 1e-3
-    )
-    # the tables are linear between rows 0.1 mm apart; the standard's own curve is not
-    assert np.abs(found - expected)[inside].max() < 1e-3
-    assert np.isnan(found[~inside]).all()
 
 
 def test_s1002_on_60e1_has_its_known_conicity() -> None:
     """Commonly quoted as 0.17 to 0.18 at 3 mm for 1:40 at 1435 mm (from memory, no printed source)."""
     report = conicity_report(wheel_profile("S1002"), rail_profile("60E1", 1 / 40), radius=0.46)
     assert report.reference_conicity == pytest.approx(0.175, abs=0.005)
-
-
-def cone(slope: float) -> Profile:
-    """A conical tread with a flange at 60 degrees that begins at y = 40 mm."""
-    y = np.linspace(-0.06, 0.06, 601)
-    return Profile("cone", "wheel", y, -slope * y - math.tan(math.radians(60.0)) * np.maximum(y - 0.04, 0.0))
 
 
 @given(

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from free_wheelset import conical_wheel
 from scanned_wheel import hollow_wheel
 from scipy.optimize import brentq
 from strip_poses import MODULUS, WheelAndRail, wheel_and_rail
@@ -17,6 +16,7 @@ from hh_exudyn.contact.profiles.spline import uniform_table
 from hh_exudyn.contact.strips.table import Row, wheel_strips
 from hh_exudyn.contact.types import WheelStrips
 from hh_exudyn.conventions import LEFT
+from hh_exudyn.multibody.free_wheelset import conical_wheel
 
 REFERENCE = Path(__file__).parents[2] / "reference" / "flange_root_s1002.csv"
 S1002, RAIL = wheel_profile("S1002"), rail_profile("60E1", 1.0 / 30.0)

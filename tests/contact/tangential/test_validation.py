@@ -35,36 +35,9 @@ def test_every_theory_stands_in_the_table(table: dict[tuple[str, str], TheoryErr
     assert table["fastrip", "all"].fields == 5
 
 
-MOST = {
-    # measured: 1.06, 3.3, 5.7; 4.4 % of |q|; slip 18 %; peak 3.7 % at most
-    "fastrip": {
-        "force_mean": 0.013,
-        "force_max": 0.09,
-        "stress_mean": 0.05,
-        "slip_mean": 0.20,
-        "peak_worst": 0.05,
-    },
-    # forces good to 0.2 % (the reference's own tolerance), fields on other cells than the reference's;
-    # measured: 0.07, 0.3; 2.2 % of |q|; 5 % of |s|
-    "halfspace": {"force_mean": 0.003, "force_max": 0.01, "stress_mean": 0.03, "slip_mean": 0.07},
-}
-
-
-@pytest.mark.parametrize("theory", MOST)
-def test_errors_of_a_good_theory(table: dict[tuple[str, str], TheoryErrors], theory: str) -> None:
-    row = table[theory, "all"]
-    for name, most in MOST[theory].items():
-        found = getattr(row, name)
-        assert found is not None, name
-        assert found <= most, name
-
-
 def test_fastsim_is_where_the_literature_puts_it(table: dict[tuple[str, str], TheoryErrors]) -> None:
-    """The reference program's own: mean 2.4, 95 % 7.9, max 15.1 %; |q| 24 % (equations.md)."""
+    """|q| 24 % (equations.md); its forces are held in tests/contact/test_validation.py."""
     row = table["fastsim", "all"]
-    assert row.force_mean == pytest.approx(0.024, abs=0.002)
-    assert row.force_95 == pytest.approx(0.079, abs=0.003)
-    assert row.force_max == pytest.approx(0.151, abs=0.003)
     assert row.stress_mean == pytest.approx(0.23, abs=0.03)
     assert row.peak_worst == pytest.approx(1.0 / 3.0, abs=0.01)  # the parabola's peak
     best = table["fastrip", "all"]
@@ -91,11 +64,8 @@ def test_the_other_fastsims(table: dict[tuple[str, str], TheoryErrors]) -> None:
 
 
 def test_the_others(table: dict[tuple[str, str], TheoryErrors]) -> None:
-    assert table["linear", "force <= 0.1 mu N"].force_mean < 0.01
     assert table["carter", "longitudinal only"].force_mean == pytest.approx(0.089, abs=0.003)
-    assert table["strip", "a/b = 0.2, no spin"].force_mean < 0.015
     assert table["strip", "all"].force_mean > 0.1  # not made for a > b, nor for large spin
-    assert table["polach", "no spin"].force_mean < 0.025
 
 
 @pytest.mark.parametrize(
