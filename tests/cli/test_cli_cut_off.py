@@ -1,14 +1,12 @@
 """Commands that are cut off, by a signal or a full disk; runs that are resumed; evaluations kept apart."""
 
 import json
-import os
 import shutil
-import subprocess
-import sys
 from importlib import resources
 from pathlib import Path
 
 import pytest
+from commands import command, content
 
 from hh_exudyn.case import Case
 from hh_exudyn.log.store import open_run
@@ -32,28 +30,10 @@ cli._progress_bar = bar
 LIMIT = "import resource\nresource.setrlimit(resource.RLIMIT_FSIZE, ({size}, {size}))\n"
 
 
-def command(*words: str | Path, code: str = "") -> subprocess.CompletedProcess[str]:
-    """The command in a process of its own; `code` runs before it."""
-    start = ["-c", f"{code}\nfrom hh_exudyn.cli.app import main\nmain()"]
-    return subprocess.run(
-        [sys.executable, *start, *(str(word) for word in words)],
-        capture_output=True, text=True, cwd="/", env=os.environ | {"COLUMNS": "200"},
-    )  # fmt: skip
-
-
 def one_line(text: str) -> str:
     assert text.startswith("hh-exudyn: ")
     assert text.count("\n") == 1
     return text
-
-
-def content(folder: Path) -> dict[str, bytes]:
-    """Files of a run but its status (wall times) and its recording (numbers by which the viewer sorts)."""
-    return {
-        path.relative_to(folder).as_posix(): path.read_bytes()
-        for path in folder.rglob("*")
-        if path.is_file() and path.name not in ("status.json", "playback.rrd")
-    }
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from test_cli_cut_off import command, content
+from commands import command, content
 
 from hh_exudyn.contact.profile import wheel_profile
 
