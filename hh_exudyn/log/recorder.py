@@ -126,7 +126,7 @@ class Recorder:
         self._buffers: dict[str, _Buffer] = {}
         self._next_keeping = time.monotonic() + KEEP_INTERVAL
         self._writer = ThreadPoolExecutor(max_workers=1, thread_name_prefix="recorder")
-        self._writing: list[Future[None]] = []
+        self._writing: Future[None] | None = None
         if resumed is None:
             claim_directory(self.directory)
         self._lock = locked(self.directory)
@@ -164,7 +164,7 @@ class Recorder:
             done += here
             if buffer.count == self._rows_per_part:  # also where writing has failed before
                 self.settle()
-                self._begin_growing(but=log)  # no log ends long before the others, if this is the last moment
+                self._begin(self._growing(but=log))  # no log ends long before the others, if it fails now
                 self.settle()
                 self._write(log, buffer.parts, buffer.rows)
                 buffer.parts += 1
@@ -223,27 +223,37 @@ class Recorder:
         behind
             Called when they are on disk, in the thread that writes.
         """
-        if not all(writing.done() for writing in self._writing):
+        if self._writing is not None and not self._writing.done():
             return
         self.settle()
-        self._begin_growing()
-        if behind is not None:
-            self._writing.append(self._writer.submit(behind))
+        self._begin(self._growing(), behind)
         self._next_keeping = time.monotonic() + KEEP_INTERVAL
 
-    def _begin_growing(self, but: str = "") -> None:
-        """Begin to write the rows of all logs but one, in the order in which the logs were begun."""
+    def _growing(self, but: str = "") -> list[Callable[[], None]]:
+        """What writes the rows of all logs but one, in the order in which the logs were begun."""
+        writes: list[Callable[[], None]] = []
         for log, buffer in self._buffers.items():
             if log != but and buffer.count > buffer.written:
                 rows = buffer.rows[: buffer.count].copy()
-                write = partial(self._write, log, buffer.parts, rows, growing=True)
-                self._writing.append(self._writer.submit(write))
+                writes.append(partial(self._write, log, buffer.parts, rows, growing=True))
                 buffer.written = buffer.count
+        return writes
+
+    def _begin(self, writes: list[Callable[[], None]], behind: Callable[[], None] | None = None) -> None:
+        """Begin to write; what is behind counts on what is before, so the first fault ends it."""
+
+        def in_turn() -> None:
+            for write in writes:
+                write()
+            if behind is not None:
+                behind()
+
+        self._writing = self._writer.submit(in_turn)
 
     def settle(self) -> None:
-        """Wait until all that was begun is on disk; the first fault is raised."""
-        writings, self._writing = self._writing, []
-        for writing in writings:
+        """Wait until all that was begun is on disk; OSError where that has failed."""
+        writing, self._writing = self._writing, None
+        if writing is not None:
             writing.result()
 
     @property

@@ -194,7 +194,7 @@ def curve_rows(run: Run) -> list[Comparison]:
     ----------
     run : of a case that ends in a curve without gradient
     """
-    case = Case.from_toml(run.case_text)
+    case = Case.from_toml(run.case_text, folder=run.directory)
     track, mass = case.alignment().table, 1e-3 * described(case.vehicle).mass  # t, so that forces are in kN
     forces = wheel_forces(run)
     last = forces.time > forces.time[-1] - _STEADY

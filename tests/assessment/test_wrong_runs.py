@@ -18,13 +18,16 @@ def run(tmp_path: Path) -> Run:
 
 def rewrite(run: Run, rows: np.ndarray | None = None, **values: float) -> None:
     """Other rows of the contact log, or values in its row 1000."""
-    part = next((run.directory / "contact").glob("part-*.parquet"))
-    table = pyarrow.parquet.read_table(part)
+    parts = sorted((run.directory / "contact").glob("part-*.parquet"))
+    table = pyarrow.concat_tables([pyarrow.parquet.read_table(part) for part in parts])
+    table = table.combine_chunks().replace_schema_metadata(pyarrow.parquet.read_schema(parts[0]).metadata)
+    for part in parts:
+        part.unlink()
     for name, value in values.items():
         column = table[name].to_numpy().copy()
         column[1000] = value
         table = table.set_column(table.column_names.index(name), name, pyarrow.array(column))
-    pyarrow.parquet.write_table(table if rows is None else table.take(rows), part)
+    pyarrow.parquet.write_table(table if rows is None else table.take(rows), parts[0])
 
 
 def test_a_run_that_ended_early_needs_consent_and_is_named_in_every_row(run: Run) -> None:
