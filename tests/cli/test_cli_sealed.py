@@ -21,11 +21,10 @@ rail = "60E1"
 inclination = "1:30"
 flexibility = "rigid"
 irregularity = "rough.csv"
-irregularity_start_m = 0.0
 
 [[track.sections]]
 kind = "straight"
-length_m = 45.0
+length_m = 175.0
 gauge_mm = 1445.0
 
 [contact]
@@ -40,9 +39,9 @@ def own_files(home: Path) -> Path:
     rows = (f"{1e3 * y:.6f},{1e3 * z:.6f}\n" for y, z in zip(wheel.y, wheel.z, strict=True))
     (home / "wheel.csv").write_text("".join(rows))
     (home / "worn.toml").write_text('base = "iore_wagon_loaded"\nwedge.friction = 0.3\n')
-    s = np.arange(0.0, 60.0, 0.25)
+    s = np.arange(0.0, 250.0, 0.25)
     lines = [f"{x:g},{0.3 * np.sin(x):.4f},{0.4 * np.sin(0.7 * x):.4f},0,0\n" for x in s]
-    (home / "rough.csv").write_text("s_m,alignment_mm,vertical_mm,cross_level_mm,gauge_mm\n" + "".join(lines))
+    (home / "rough.csv").write_text("position_m,alignment_mm,level_mm,cross_level_mm,gauge_mm\n" + "".join(lines))
     (home / "case.toml").write_text(CASE)
     return home / "case.toml"
 
@@ -59,6 +58,7 @@ def evaluated(run: Path, out: Path) -> dict[str, bytes]:
     return {name: data for name, data in content(out).items() if not name.endswith("settings.json")}
 
 
+@pytest.mark.slow
 def test_a_folder_sent_elsewhere_gives_the_same_bytes(tmp_path: Path) -> None:
     case = own_files(tmp_path / "home")
     here, there, again = tmp_path / "run", tmp_path / "sent" / "run", tmp_path / "again"
