@@ -109,7 +109,9 @@ def test_full_disk(case: Path, done: Path, tmp_path: Path, size: int, file: str)
 
 
 def test_full_disk_leaves_no_half_evaluation(done: Path, tmp_path: Path) -> None:
-    before = tmp_path / "before"  # compiles the kernels: with the limit, that there is no cache is one line more
+    before = (
+        tmp_path / "before"
+    )  # compiles the kernels: with the limit, that there is no cache is one line more
     assert command("damage", done, "--out", before).returncode == 0
     result = command("damage", done, "--out", tmp_path / "out", code=LIMIT.format(size=20_000))
     assert result.returncode == 1
