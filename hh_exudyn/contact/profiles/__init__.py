@@ -22,4 +22,6 @@
 `steepness`    steep spots that a table must not end at
 `spline`       a profile as a spline table for kernels
 =============  ======================================================================================
+
+Arguments of the functions that read one format: `path`, the file, for messages, and `text`, its lines.
 """

@@ -43,12 +43,7 @@ def read_old(path: Path, text: list[str]) -> RawPoints:
 
     Of three columns (1994) the last is the angle.
 
-    Parameters
-    ----------
-    path : Path
-        For messages.
-    text : list of str
-        The lines of the file.
+    Arguments: see the map of this folder.
     """
     lines = [plain_line(n, line) for n, line in enumerate(text, start=1)]
     filled = [line for line in lines if line.text]
@@ -90,12 +85,7 @@ def read_keyed(path: Path, text: list[str]) -> RawPoints:
     A file with sections (``[FileInfo]``, ``[ProfileXYPoints]``) has its points below those that end in
     "Points".
 
-    Parameters
-    ----------
-    path : Path
-        For messages.
-    text : list of str
-        The lines of the file.
+    Arguments: see the map of this folder.
     """
     header: dict[str, str] = {}
     rows: list[Line] = []

@@ -19,12 +19,7 @@ FIRST_LINE = re.compile(r"^\s*(header|spline|point)\.begin\b", re.IGNORECASE)
 def read_simpack(path: Path, text: list[str]) -> RawPoints:
     """``point.begin`` .. ``point.end`` inside keys with values; ``!`` and ``%`` start comments.
 
-    Parameters
-    ----------
-    path : Path
-        For messages.
-    text : list of str
-        The lines of the file.
+    Arguments: see the map of this folder.
     """
     header: dict[str, str] = {}
     rows: list[Line] = []

@@ -57,12 +57,7 @@ _LEAST_SECTION = 20  # points; a shorter block is no profile of its own
 def read_two_columns(path: Path, text: list[str]) -> RawPoints:
     """The points of a table.
 
-    Parameters
-    ----------
-    path : Path
-        For messages.
-    text : list of str
-        The lines of the file.
+    Arguments: see the map of this folder.
 
     Raises
     ------

@@ -35,12 +35,10 @@ _SAME = 0.01  # mm, largest difference of two equal sides
 def read_vampire(path: Path, text: list[str], side: str | None) -> RawPoints:
     """One side of a VAMPIRE profile.
 
+    Arguments: see the map of this folder.
+
     Parameters
     ----------
-    path : Path
-        For messages.
-    text : list of str
-        The lines of the file.
     side : str or None
         ``"left"`` or ``"right"``; None where both are the same.
 
