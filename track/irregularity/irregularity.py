@@ -179,7 +179,12 @@ class Irregularity:
 
         Raises ValueError where `fade` is out of range or longer than half of the length.
         """
-        _check("fade", fade, (_FADE[0], min(_FADE[1], 0.5 * self.length)))
+        _check("fade", fade, _FADE)
+        if 2.0 * fade > self.length:
+            raise ValueError(
+                f"the irregularity is {self.length:g} m long; faded in and out over {fade:g} m at either end it "
+                f"must have {2.0 * fade:g} m or more"
+            )
         return irregularity_table(self.start, self.step, self.values, fade)
 
     def check_spacing(self, speed: float, time_step: float, frequency: float | None = None) -> None:
