@@ -182,8 +182,8 @@ class Irregularity:
         _check("fade", fade, _FADE)
         if 2.0 * fade > self.length:
             raise ValueError(
-                f"the irregularity is {self.length:g} m long; faded in and out over {fade:g} m at either end it "
-                f"must have {2.0 * fade:g} m or more"
+                f"the irregularity is {self.length:g} m long; faded in and out over {fade:g} m at either end "
+                f"it must have {2.0 * fade:g} m or more"
             )
         return irregularity_table(self.start, self.step, self.values, fade)
 

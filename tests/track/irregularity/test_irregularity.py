@@ -218,7 +218,9 @@ def test_bad_input_says_what_is_wrong(rough: Irregularity) -> None:
         random_irregularity("erri_low", 500.0, seed=-1)
     with pytest.raises(ValueError, match=r"none of length / k"):
         random_irregularity("erri_low", 100.0, seed=0, wavelengths=(60.0, 90.0), step=1.0)
-    with pytest.raises(ValueError, match=r"is 500 m long; faded in and out over 300 m .* must have 600 m or more"):
+    with pytest.raises(
+        ValueError, match=r"is 500 m long; faded in and out over 300 m .* must have 600 m or more"
+    ):
         random_irregularity("erri_low", 500.0, seed=0).table(fade=300)
     with pytest.raises(ValueError, match=r"'cant' is not known, there are: level, alignment"):
         rough.signal("cant")
