@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.markup import escape
 
 from hh_exudyn.cli import inputs, output
 
@@ -162,8 +161,8 @@ def _compared(name: str, compare: "Callable[[], list[Comparison]]") -> "list[Com
         column.justify, column.no_wrap = "left", False  # in a narrow terminal words wrap, numbers stay whole
     for row in rows:
         table.add_row(
-            escape(row.quantity),
-            escape(row.source),
+            row.quantity,
+            row.source,
             f"{row.found:.4g}",
             f"{row.wanted:.4g}",
             output.number(100.0 * row.deviation, 2),

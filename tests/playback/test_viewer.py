@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from command_line import call
 
+from hh_exudyn.log.store import Run
 from hh_exudyn.playback import viewer
 from hh_exudyn.playback.picture import PictureError
 
@@ -59,7 +60,7 @@ def test_the_command_fails_with_the_viewer(
         raise PictureError(f"the rerun viewer ended with status 1, so {path} is not open: no display")
 
     recording.rename(tmp_path / "playback.rrd")
-    monkeypatch.setattr("hh_exudyn.cli.inputs.read_run", lambda folder: None)
+    monkeypatch.setattr("hh_exudyn.cli.inputs.read_run", lambda *_: Run(tmp_path))
     monkeypatch.setattr(viewer, "open_viewer", dead)
     result = call("playback", tmp_path)
     assert result.exit_code == 1
