@@ -12,6 +12,7 @@ import numpy as np
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case.alignment import WIDENING_MM
 from hh_exudyn.case.case import Case
+from hh_exudyn.conventions import RAIL_TOP_DISTANCE
 from track.course.alignment import Alignment
 from track.course.frame import inclined_frame
 from track.irregularity.irregularity import Irregularity
@@ -41,7 +42,7 @@ def require_possible_track(case: Case, alignment: Alignment, irregular: Irregula
     on_track = s <= alignment.length
     s = s[on_track]
     frames = np.array([inclined_frame(alignment.table, place) for place in s])
-    cant = -1.5 * np.sin(frames[:, 5]) + irregular.signal("cross_level")[on_track]
+    cant = -RAIL_TOP_DISTANCE * np.sin(frames[:, 5]) + irregular.signal("cross_level")[on_track]
     gauge = frames[:, 7] + irregular.signal("gauge")[on_track]
     slope = np.gradient(irregular.signal("alignment")[on_track], irregular.step)
     least, largest = 1e3 * case.least_gauge, case.track.nominal_gauge_mm + WIDENING_MM

@@ -13,7 +13,6 @@ ignored. The writer of the logs is `hh_exudyn.log.recorder.Recorder`.
 """
 
 import json
-import shutil
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -35,7 +34,7 @@ from hh_exudyn.log.parts import (
 )
 from hh_exudyn.log.recorder import Recorder, check_log_name
 
-__all__ = ["Recorder", "Run", "open_run", "remove_run", "write_case", "write_inputs", "write_status"]
+__all__ = ["Recorder", "Run", "open_run", "write_case", "write_inputs", "write_status"]
 
 CASE_FILE = "case.toml"
 VEHICLE_FILE = "vehicle.json"
@@ -236,14 +235,6 @@ def open_run(directory: Path | str, *, skip_broken_parts: bool = False) -> Run:
             f"and none of the logs {', '.join(LOGS)}"
         )
     return Run(path, skip_broken_parts)
-
-
-def remove_run(run: Run) -> None:
-    """Remove everything that a run writes into its folder; other files there remain."""
-    for folder in (*LOGS, INPUTS_FOLDER):
-        shutil.rmtree(run.directory / folder, ignore_errors=True)
-    for name in (STATUS_FILE, CHECKPOINT_FILE, PROVENANCE_FILE, CASE_FILE, VEHICLE_FILE):
-        (run.directory / name).unlink(missing_ok=True)
 
 
 def write_case(directory: Path | str, text: str) -> None:

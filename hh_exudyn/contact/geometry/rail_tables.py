@@ -199,21 +199,18 @@ def rail_in(rails: RailTables, s: float, room: Memory) -> tuple[SplineTable, flo
 
 def rail_at(rails: RailTables, s: float) -> tuple[SplineTable, float]:
     """`rail_in` for Python, with room of its own."""
-    start, point = np.empty(1), np.empty(1)
     nodes = np.empty((_ROWS, rails.nodes.shape[2]))
-    _copy_rail(rails, s, nodes, start, point)
-    table = SplineTable(float(start[0]), rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE])
-    return table, float(point[0])
+    start, point = _copy_rail(rails, s, nodes)
+    return SplineTable(start, rails.step, nodes[_Z], nodes[_SECOND], rails.per_step, nodes[_SLOPE]), point
 
 
 @kernel
-def _copy_rail(rails: RailTables, s: float, nodes: FloatArray, start: FloatArray, point: FloatArray) -> None:
-    """What `rail_in` gives, copied."""
-    room = memory(RAIL_ROOM)
-    table, point[0] = rail_in(rails, s, room)
-    start[0] = table.start
+def _copy_rail(rails: RailTables, s: float, nodes: FloatArray) -> tuple[float, float]:
+    """Copy the nodes of `rail_in`; y of the first one and of the gauge point."""
+    table, point = rail_in(rails, s, memory(RAIL_ROOM))
     for k in range(nodes.shape[1]):
         nodes[_Z, k], nodes[_SECOND, k], nodes[_SLOPE, k] = table.z[k], table.second[k], table.slope[k]
+    return table.start, point
 
 
 @inlined_kernel

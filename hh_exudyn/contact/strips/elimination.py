@@ -9,11 +9,11 @@ would otherwise spend their time in remainders of loops.
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.tangential.strips import LANES
 from hh_exudyn.kernel import inlined_kernel, kernel
 
-_LANES = 8
-_1, _2, _3, _4, _5, _6, _7 = (np.uint64(k) for k in range(1, _LANES))
-PADDING = _LANES  # numbers at the end of every row of memory that take no part, but must be finite
+_1, _2, _3, _4, _5, _6, _7 = (np.uint64(k) for k in range(1, LANES))  # below, LANES numbers are written out
+PADDING = LANES  # numbers at the end of every row of memory that take no part, but must be finite
 
 
 @kernel
@@ -51,7 +51,7 @@ def eliminate(n: int, columns: FloatArray, values: FloatArray, unknowns: FloatAr
 @inlined_kernel
 def _subtract(factor: float, row: FloatArray, first: int, end: int, other: FloatArray) -> None:
     """other -= factor * row, from the first place to the end or some places beyond."""
-    for start in range(first, end, _LANES):
+    for start in range(first, end, LANES):
         k = np.uint64(start)
         # all are read before the first is written: so the compiler need not ask whether the rows overlap
         a, b = other[k] - factor * row[k], other[k + _1] - factor * row[k + _1]
@@ -95,7 +95,7 @@ def select(n: int, numbers: FloatArray, all_columns: FloatArray, columns: FloatA
 @inlined_kernel
 def _copy(row: FloatArray, first: int, n: int, other: FloatArray) -> None:
     """The n numbers of a row from the first place on, and some beyond, into the beginning of another one."""
-    for start in range(0, n, _LANES):
+    for start in range(0, n, LANES):
         k, i = np.uint64(start), np.uint64(first + start)
         a, b, c, d = row[i], row[i + _1], row[i + _2], row[i + _3]
         e, f, g, h = row[i + _4], row[i + _5], row[i + _6], row[i + _7]

@@ -18,6 +18,7 @@ from scipy.special import ellipe, ellipkm1
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
+from hh_exudyn.contact.tangential.strips import LANES
 from hh_exudyn.contact.types import Memory
 from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
 
@@ -28,8 +29,7 @@ _PER_UNIT = 64  # nodes
 _HALF_PI = 0.5 * math.pi
 _FIRST, _PER_LOGARITHM, _NODES = -0.8, 16, 80  # ln of half length over width in the table of equal strips
 _LARGEST_RATIO = 50.0  # in that table; no strip is shorter than its width
-_LANES = 8
-_APART = 8 * _LANES  # widths at most, in that table
+_APART = 8 * LANES  # widths at most, in that table
 
 
 def influence_density(t: FloatArray) -> FloatArray:
@@ -154,8 +154,8 @@ def _even_influences(ratio: float, last: int, factor: float, values: Memory) -> 
     fourth = factor * before * q * behind / 6.0
     one, two, three, four = _EVEN[node - 1], _EVEN[node], _EVEN[node + 1], _EVEN[node + 2]
     value = shaped(values, (_APART,))
-    for start in range(0, last + 1, _LANES):
-        for m in range(start, start + _LANES):
+    for start in range(0, last + 1, LANES):
+        for m in range(start, start + LANES):
             value[m] = first * one[m] + second * two[m] + third * three[m] + fourth * four[m]
 
 
