@@ -126,7 +126,7 @@ class Recorder:
         self._buffers: dict[str, _Buffer] = {}
         self._next_keeping = time.monotonic() + KEEP_INTERVAL
         self._writer = ThreadPoolExecutor(max_workers=1, thread_name_prefix="recorder")
-        self._writing: Future[None] | None = None
+        self._writing: list[Future[None]] = []  # begun, in turn
         if resumed is None:
             claim_directory(self.directory)
         self._lock = locked(self.directory)
@@ -210,22 +210,21 @@ class Recorder:
         OSError
             An earlier writing has failed, here and below.
         """
-        if time.monotonic() >= self._next_keeping:
+        if time.monotonic() >= self._next_keeping and not self._waiting():
             self.flush()
 
     def flush(self, behind: Callable[[], None] | None = None) -> None:
         """Begin to write all rows; the last part of every log goes on growing.
 
-        Where the disk is still busy with the writing before, nothing is done: the next call does it.
+        Where the disk is so slow that two writings wait already, nothing is done: the next call does it.
 
         Parameters
         ----------
         behind
             Called when they are on disk, in the thread that writes.
         """
-        if self._writing is not None and not self._writing.done():
+        if self._waiting() > 1:
             return
-        self.settle()
         self._begin(self._growing(), behind)
         self._next_keeping = time.monotonic() + KEEP_INTERVAL
 
@@ -240,20 +239,29 @@ class Recorder:
         return writes
 
     def _begin(self, writes: list[Callable[[], None]], behind: Callable[[], None] | None = None) -> None:
-        """Begin to write; what is behind counts on what is before, so the first fault ends it."""
+        """Begin to write; whatever is behind counts on what is before, so the first fault ends it all."""
+        before = self._writing[-1] if self._writing else None
 
         def in_turn() -> None:
+            if before is not None:
+                before.result()
             for write in writes:
                 write()
             if behind is not None:
                 behind()
 
-        self._writing = self._writer.submit(in_turn)
+        self._writing.append(self._writer.submit(in_turn))
+
+    def _waiting(self) -> int:
+        """Writings that are not done; OSError where one has failed."""
+        while self._writing and self._writing[0].done():
+            self._writing.pop(0).result()
+        return len(self._writing)
 
     def settle(self) -> None:
         """Wait until all that was begun is on disk; OSError where that has failed."""
-        writing, self._writing = self._writing, None
-        if writing is not None:
+        writings, self._writing = self._writing, []
+        for writing in writings:
             writing.result()
 
     @property

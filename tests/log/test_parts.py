@@ -1,6 +1,9 @@
 """Parts of a log that are broken in any way: named with a remedy, and the rest can be read."""
 
+import os
+import threading
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -114,3 +117,39 @@ def test_one_writer_at_a_time(tmp_path: Path) -> None:
     ):
         Recorder(tmp_path / "run", {}, resumed={})
     Recorder(tmp_path / "run", {}, resumed={}).close()
+
+
+def test_what_is_behind_waits_for_a_slow_disk_and_comes_never_behind_a_fault(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A second writing queues behind the first, a third is left to the next call; a fault ends all behind."""
+    gate, calls = threading.Event(), []
+    sync = os.fsync
+
+    def slow(descriptor: int) -> None:
+        assert gate.wait(10.0)
+        sync(descriptor)
+
+    def full(descriptor: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    with Recorder(tmp_path / "run", {}) as recorder:
+        with monkeypatch.context() as patch:
+            patch.setattr("hh_exudyn.log.parts.os.fsync", slow)
+            for name in ("first", "second", "third"):
+                recorder.append_rows("contact", np.zeros((1, COLUMNS)))
+                recorder.flush(partial(calls.append, name))
+            assert calls == []
+            gate.set()
+            recorder.settle()
+        assert calls == ["first", "second"]
+        with monkeypatch.context() as patch:
+            gate.clear()
+            patch.setattr("hh_exudyn.log.parts.os.fsync", full)
+            recorder.append_rows("contact", np.zeros((1, COLUMNS)))
+            with pytest.raises(OSError, match="No space"):
+                for _ in range(2):
+                    recorder.flush(partial(calls.append, "behind a fault"))
+                recorder.settle()
+        assert calls == ["first", "second"]
+    assert open_run(tmp_path / "run").contact().num_rows == 4
