@@ -2,9 +2,9 @@
 
 The last part of a log grows: about every second of wall time it is replaced by a longer one, until it is
 full. So a killed run keeps all but its last second, and the parts of a finished run do not depend on the
-clock. A thread writes the growing parts: bringing them to the disk takes a sixth of a run, most of it spent
-waiting. A fault of the disk is raised at the next call. The layout on disk is that of `hh_exudyn.log.store`,
-which reads it back.
+clock. A thread writes them: bringing them to the disk takes a sixth of a run, most of it spent waiting. A
+fault of the disk is raised at the next call. The layout on disk is that of `hh_exudyn.log.store`, which reads
+it back.
 """
 
 import time
@@ -162,13 +162,8 @@ class Recorder:
             buffer.rows[buffer.count : buffer.count + here] = rows[done : done + here]
             buffer.count += here
             done += here
-            if buffer.count == self._rows_per_part:  # also where writing has failed before
-                self.settle()
-                self._begin(self._growing(but=log))  # no log ends long before the others, if it fails now
-                self.settle()
-                self._write(log, buffer.parts, buffer.rows)
-                buffer.parts += 1
-                buffer.count = buffer.written = 0
+            if buffer.count == self._rows_per_part:
+                self._begin_part(log, buffer)
 
     def append(self, log: str, columns: Mapping[str, Any]) -> None:
         """Append columns of equal length by name; all columns of the log must be there.
@@ -210,7 +205,7 @@ class Recorder:
         OSError
             An earlier writing has failed, here and below.
         """
-        if time.monotonic() >= self._next_keeping and not self._waiting():
+        if not self._waiting() and time.monotonic() >= self._next_keeping:
             self.flush()
 
     def flush(self, behind: Callable[[], None] | None = None) -> None:
@@ -227,6 +222,16 @@ class Recorder:
             return
         self._begin(self._growing(), behind)
         self._next_keeping = time.monotonic() + KEEP_INTERVAL
+
+    def _begin_part(self, log: str, buffer: _Buffer) -> None:
+        """Begin to write a full part; where the disk is slow, rows of two writings wait in memory at most."""
+        while self._waiting() > 1:
+            self._writing[0].result()
+        full = partial(self._write, log, buffer.parts, buffer.rows)
+        self._begin([*self._growing(but=log), full])  # no log ends long before the others, if it fails now
+        buffer.rows = np.empty_like(buffer.rows)
+        buffer.parts += 1
+        buffer.count = buffer.written = 0
 
     def _growing(self, but: str = "") -> list[Callable[[], None]]:
         """What writes the rows of all logs but one, in the order in which the logs were begun."""

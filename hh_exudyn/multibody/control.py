@@ -13,6 +13,7 @@ import numpy as np
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case import Case
 from hh_exudyn.contact.state import Patch
+from hh_exudyn.kernel import kernel
 from hh_exudyn.log.channels import CONTROL, ControlColumn
 from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.multibody.model import Ledger, SystemModel, Workspace
@@ -112,7 +113,7 @@ class VehicleControl:
     def _measure(self, time: float) -> Measurement:
         work, model = self._work, self._model
         count = self._radius.size
-        spins = np.einsum("wi,wi->w", work.frame_angular_velocity, work.frame_axle)
+        spins = (work.frame_angular_velocity * work.frame_axle).sum(axis=1)
         places = work.arc_length[:count].copy()
         speeds = work.frame_velocity[:, 0].copy()
         return Measurement(
@@ -121,7 +122,7 @@ class VehicleControl:
             speeds=speeds,
             wheel_speeds=spins * self._radius,
             places=places,
-            curvatures=np.array([inclined_frame(model.alignment, s)[6] for s in places]),
+            curvatures=_curvatures(model.alignment, places, np.empty(count)),
             coupler_force=float(work.ledger[Ledger.COUPLER_FORCE]),
         )
 
@@ -158,6 +159,14 @@ class VehicleControl:
         }
         for name, column in columns.items():
             rows[:, ControlColumn[name]] = column
+
+
+@kernel
+def _curvatures(table: AlignmentTable, places: FloatArray, curvatures: FloatArray) -> FloatArray:
+    """Curvatures of the track at arc lengths, in one call from Python."""
+    for i in range(places.size):
+        curvatures[i] = inclined_frame(table, places[i])[6]
+    return curvatures
 
 
 def vehicle_control(

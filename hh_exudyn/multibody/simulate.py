@@ -25,7 +25,7 @@ from hh_exudyn.log.store import (
     write_status,
 )
 from hh_exudyn.multibody.assembly import assemble, explicit_settings, exudyn_system, whole_steps
-from hh_exudyn.multibody.checkpoint import SEGMENT, Checkpoint, flat, read_checkpoint
+from hh_exudyn.multibody.checkpoint import SEGMENT, STORE_INTERVAL, Checkpoint, flat, read_checkpoint
 from hh_exudyn.multibody.control import VehicleControl, vehicle_control
 from hh_exudyn.multibody.equilibrium import Equilibrium, equilibrium
 from hh_exudyn.multibody.interruption import Interruption, Terminated
@@ -212,7 +212,7 @@ class _Integration:
         self._error: Exception | None = None
         self._interruption = Interruption()
         self._progress: Progress | None = None
-        self._next_progress = 0.0
+        self._next_progress = self._next_store = 0.0
         self.times = dict.fromkeys(_TIMES, 0.0)  # s
 
     def begin(self, state: Equilibrium, track_length: float) -> None:
@@ -249,9 +249,8 @@ class _Integration:
         self._numbers.update(stored.facts["numbers"])
         self.times.update(stored.facts["times"])
 
-    def _store(self, q: FloatArray, v: FloatArray) -> None:
-        """Take the state at the end of a segment, and store it with the logs up to there."""
-        self._state.update(q=q, v=v)
+    def _store(self) -> None:
+        """Store the state at the end of a segment, with the logs up to there."""
         self._numbers["potential"] = self._log.potential_at_start
         recorder = self._log.recorder
         control = {} if self._control is None else self._control.memory()
@@ -262,12 +261,7 @@ class _Integration:
                 **dict(flat("watch/", self._watch)),
                 **{f"control/{name}": array for name, array in control.items()},
             },
-            {
-                "step": self._steps,
-                "rows": recorder.totals,
-                "numbers": self._numbers,
-                "times": self.times,
-            },
+            {"step": self._steps, "rows": recorder.totals, "numbers": self._numbers, "times": self.times},
         )
         # copied, as the run goes on while it is written
         recorder.flush(partial(checkpoint.copy().write, recorder.directory))
@@ -322,10 +316,14 @@ class _Integration:
         if at_end or not going:
             return False
         begin = clock.perf_counter()
-        self._store(mbs.systemData.GetODE2Coordinates(), mbs.systemData.GetODE2Coordinates_t())
+        data = mbs.systemData
+        self._state.update(q=data.GetODE2Coordinates(), v=data.GetODE2Coordinates_t())
+        if begin >= self._next_store:
+            self._next_store = begin + STORE_INTERVAL
+            self._store()
         spent = clock.perf_counter() - begin
-        self.times["wall_s"] += spent
-        self.times["python_s"] += spent
+        for name in ("wall_s", "python_s"):
+            self.times[name] += spent
         return True
 
     def _forces(self, mbs: Any, time: float, item: int, q: Any, q_t: Any) -> list[float]:

@@ -97,6 +97,7 @@ def test_killed_process_leaves_finished_parts(tmp_path: Path) -> None:
         recorder = Recorder({str(tmp_path / "run")!r}, {{"case": "killed"}}, rows_per_part=10)
         rows = 100.0 * np.arange(27)[:, None] + np.arange({len(CONTACT)})
         recorder.append_rows("contact", rows)
+        recorder.settle()
         os.kill(os.getpid(), signal.SIGKILL)
     """
     ended = subprocess.run([sys.executable, "-c", textwrap.dedent(script)], check=False)
