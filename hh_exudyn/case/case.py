@@ -72,7 +72,8 @@ class Case(CaseTable):
     patches, or a table for friction by place, zone and slip (`hh_exudyn.case.friction`). `traction` and
     `steering` are for vehicles with drives (`hh_exudyn.case.traction`); such a vehicle without the first has
     the default table. `train` passes a force through a hauled vehicle, `brake` presses the brake shoes of one
-    that has them (`hh_exudyn.case.train`).
+    that has them (`hh_exudyn.case.train`). `extension` names a function that added Exudyn items to the
+    vehicle of a run; it is written by that run.
 
     Raises
     ------
@@ -93,6 +94,7 @@ class Case(CaseTable):
     steering: SteeringCase | None = None
     train: TrainCase | None = None
     brake: BrakeCase | None = None
+    extension: str | None = None
 
     if not TYPE_CHECKING:  # type checkers keep the signature made from the fields
 

@@ -2,7 +2,8 @@
 
 Contact log: one row per output time, wheel and patch in contact. Motion log: one row per output time and
 body. Energy ledger: one row per output time. Control log: one row per sample of the controllers and driven
-wheelset; a run without controllers has none. SI units throughout; contact quantities in frame C, forces on
+wheelset; a run without controllers has none. Sensors log: one row per output time and component of each of
+Exudyn's sensors that an extension has named. SI units throughout; contact quantities in frame C, forces on
 the wheel (see `hh_exudyn.conventions`).
 
 A column of source `PATCH` is copied from the kernel's record of a contact patch, out of the member of
@@ -22,6 +23,7 @@ WHEELSET = "wheelset"  # of the patch's, or the driven, wheelset
 VEHICLE = "vehicle"  # of all bodies together
 LEDGER = "ledger"  # copied from the ledger of powers
 CONTROLLER = "controller"  # of drivers and actuators
+SENSOR = "sensor"  # of Exudyn, added by an extension
 
 
 class Column(NamedTuple):
@@ -119,7 +121,14 @@ CONTROL = (
     Column("stiffness", CONTROLLER, "-", "longitudinal stiffness of its axle boxes over that of the drawing"),
 )
 
-LOGS = {"contact": CONTACT, "motion": MOTION, "energy": ENERGY, "control": CONTROL}
+SENSORS = (
+    Column("time", TIME, "s", "since the start of the run"),
+    Column("sensor", SENSOR, "-", "name of the sensor", kind="string"),
+    Column("component", SENSOR, "-", "of its value, from 0", kind="int32"),
+    Column("value", SENSOR, "its own", "value of the component, in the sensor's unit"),
+)
+
+LOGS = {"contact": CONTACT, "motion": MOTION, "energy": ENERGY, "control": CONTROL, "sensors": SENSORS}
 
 
 def positions(name: str, columns: tuple[Column, ...]) -> Any:

@@ -2,7 +2,9 @@
 
 ===============  ===================================================================================
 `model`          layout of the coordinates; the constant model, its inputs, and the kernel's work space
-`assembly`       descriptions -> model -> Exudyn system
+`assembly`       descriptions -> model
+`exudyn_system`  model -> Exudyn system, open to other Exudyn items
+`extension`      a user's own items in it, and the state of all
 `vectors`        three-vectors and rotations inside kernels
 `couplings`      folder: forces of the suspension elements between two bodies
 `brakes`         shoes on the treads: thrust, friction, reaction on the side frames
@@ -10,6 +12,7 @@
 `equilibrium`    rest on straight track, before the run
 `rolling`        state of a vehicle that rolls in one place: the unknowns of the equilibrium
 `settling`       its damped motion, where no root search finds the equilibrium
+`extended_rest`  the start of a run, settled in time where there is an extension
 `remaining`      largest residual force of a vehicle out of equilibrium, and its place
 `linear`         folder: modes, stability and hunting about the equilibrium
 `control`        controllers in the loop: driver and steering of a vehicle with drives
@@ -20,7 +23,9 @@
 `recording`      rows of the logs
 `checkpoint`     state of a run between two segments of its integration, to resume from
 `provenance`     what a run was made from and with
+`integration`    the time integration of a run: Exudyn's callbacks
 `simulate`       `simulate(case, directory)`
+`built`          `build(case)`: the system before `Assemble()`, in its user's hands
 `once`           `simulate_once`: finished runs of a study are reused
 `hysteresis`     force over deflection of a bogie's friction elements in slow cycles
 `free_wheelset`  a wheelset that nothing guides, on cones
@@ -35,3 +40,7 @@ except ImportError as error:
         f"Exudyn cannot be loaded: {error}. On a machine without a desktop, install the OpenGL library (on "
         "Debian: apt-get install libgl1)"
     ) from error
+
+from hh_exudyn.multibody.built import build
+
+__all__ = ["build"]

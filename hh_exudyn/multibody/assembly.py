@@ -1,31 +1,19 @@
-"""From descriptions to the model of the force kernel, and from the model to an Exudyn system."""
+"""From the descriptions of vehicle and track to the model of the force kernel."""
 
 import math
-from collections.abc import Callable
-from typing import Any
 
-import exudyn as exu
 import numpy as np
-from exudyn.itemInterface import (
-    NodeGenericODE2,
-    NodeRigidBodyRotVecLG,
-    ObjectGenericODE2,
-    ObjectRigidBody,
-)
 
-from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case import Case
 from hh_exudyn.case.irregular import require_possible_track
 from hh_exudyn.multibody.couplings.dispatch import FAMILIES
 from hh_exudyn.multibody.couplings.family import packed
 from hh_exudyn.multibody.model import (
-    BODY_COORDINATES,
     Brakes,
     Couplings,
     Drives,
     SystemModel,
     Train,
-    first_track,
 )
 from track.course.alignment import Alignment, inclined_frame
 from track.irregularity.table import IrregularityTable, smooth_track
@@ -185,100 +173,3 @@ def _ends(coupling: Coupling) -> tuple[Vector, Vector]:
     if isinstance(coupling, Rod):
         return coupling.point_a, coupling.point_b
     return coupling.point, coupling.point
-
-
-def exudyn_system(
-    model: SystemModel,
-    q: FloatArray,
-    v: FloatArray,
-    forces: Callable[[Any, float, int, Any, Any], list[float]],
-    after_step: Callable[[Any, float], bool],
-) -> Any:
-    """The assembled Exudyn system: rigid bodies, track masses, and one object with all forces.
-
-    Parameters
-    ----------
-    model : masses and inertias are read
-    q, v : (coordinates,) initial coordinates and velocities (layout: `model`)
-    forces : user function of the force object, (mbs, t, item, q, q_t) -> generalized forces
-    after_step : (mbs, t) -> whether to continue, called after every accepted step
-    """
-    mbs = exu.SystemContainer().AddSystem()
-    nodes = []
-    for i, mass in enumerate(model.mass):
-        k = slice(BODY_COORDINATES * i, BODY_COORDINATES * (i + 1))
-        node = mbs.AddNode(
-            NodeRigidBodyRotVecLG(
-                referenceCoordinates=[0.0] * BODY_COORDINATES,
-                initialCoordinates=list(q[k]),
-                initialVelocities=list(v[k]),
-            )
-        )
-        mbs.AddObject(
-            ObjectRigidBody(
-                mass=mass,
-                inertia=[*model.inertia[i], 0.0, 0.0, 0.0],
-                nodeNumber=node,
-            )
-        )
-        nodes.append(node)
-    # track masses, then the creep coordinates: with unit masses their forces are the rates of velocity
-    others = np.ones(q.size - first_track(model))
-    if model.flexible:
-        masses = np.tile(model.track_mass, len(model.wheelsets))
-        others[: masses.size] = masses
-    nodes.append(
-        mbs.AddNode(
-            NodeGenericODE2(
-                referenceCoordinates=[0.0] * others.size,
-                initialCoordinates=list(q[first_track(model) :]),
-                initialCoordinates_t=list(v[first_track(model) :]),
-                numberOfODE2Coordinates=others.size,
-            )
-        )
-    )
-    mass_diagonal = np.concatenate([np.zeros(first_track(model)), others])
-    mbs.AddObject(
-        ObjectGenericODE2(
-            name="forces", nodeNumbers=nodes, massMatrix=np.diag(mass_diagonal), forceUserFunction=forces
-        )
-    )
-    mbs.Assemble()
-    mbs.SetPostStepUserFunction(after_step)
-    return mbs
-
-
-def whole_steps(duration: float, step: float) -> int:
-    """Number of whole steps within a duration, at least one.
-
-    Parameters
-    ----------
-    duration, step : [s]
-    """
-    return max(1, math.floor(duration / step + 1e-9))
-
-
-def explicit_settings(first: int, last: int, step: float) -> Any:
-    """Exudyn's settings for the explicit Runge-Kutta method of third order at a constant step.
-
-    Three evaluations a step instead of the fourth order's four, for a stability limit 10 % lower: at 0.4 ms
-    the error of both lies below that of friction's steps and of the contact's strips.
-
-    Parameters
-    ----------
-    first, last : numbers of the states at begin and end, counted in steps
-    step : [s]
-    """
-    settings = exu.SimulationSettings()
-    settings.timeIntegration.startTime = first * step
-    settings.timeIntegration.endTime = last * step
-    settings.timeIntegration.numberOfSteps = last - first
-    settings.timeIntegration.solverType = exu.DynamicSolverType.RK33
-    # three evaluations a step instead of four; nothing here reads accelerations
-    settings.timeIntegration.explicit.computeEndOfStepAccelerations = False
-    # the mass matrix is block diagonal: the sparse solve saves a third of Exudyn's time
-    settings.linearSolver.solverType = exu.LinearSolverType.EigenSparse
-    settings.timeIntegration.verboseMode = 0
-    settings.solution.file.write = False
-    settings.solution.sensors.active = False
-    return settings

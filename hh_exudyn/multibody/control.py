@@ -69,17 +69,18 @@ class VehicleControl:
         self._origin = driver.train_place
         self._boxes = _axle_boxes(vehicle)
 
-    def act(self, time: float, recorder: Recorder) -> None:
+    def act(self, time: float, recorder: Recorder | None) -> None:
         """Log the state just evaluated, call every controller on it, and set the inputs.
 
         Parameters
         ----------
         time : of the state [s]
-        recorder : of the control log
+        recorder : of the control log, None without one
         """
         measured = self._measure(time)
-        self._log(measured)
-        recorder.append_rows("control", self._rows)
+        if recorder is not None:
+            self._log(measured)
+            recorder.append_rows("control", self._rows)
         for controller in self._controllers:
             controller.act(measured, self._actuators, self._interval)
         self._move(time)

@@ -66,6 +66,24 @@ class LogWriter:
         self.recorder.append_rows("energy", self._energy)
         self.recorder.append_rows("contact", self._contact[:count])
 
+    def write_sensor(self, time: float, name: str, value: float | FloatArray) -> None:
+        """Append the value of one of Exudyn's sensors.
+
+        Parameters
+        ----------
+        time : of the output [s]
+        name : of the sensor
+        value : number, or its components
+        """
+        values = np.atleast_1d(np.asarray(value, dtype=np.float64)).ravel()
+        columns = {
+            "time": np.full(values.size, time),
+            "sensor": np.full(values.size, name),
+            "component": np.arange(values.size),
+            "value": values,
+        }
+        self.recorder.append("sensors", columns)
+
 
 def _places(vehicle: Vehicle) -> IntArray:
     """Unit, bogie and number within its unit of every wheelset, (wheelsets, 3)."""

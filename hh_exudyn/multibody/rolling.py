@@ -25,11 +25,13 @@ from hh_exudyn.multibody.model import (
 )
 from hh_exudyn.multibody.system import evaluate_bundle
 from track.course.alignment import inclined_frame, inclined_rotation
+from track.course.types import AlignmentTable
 from vehicles.description import Vehicle
 from vehicles.start import start_middle
 
 LENGTH_SCALE = 1e-3  # m and rad, of the displacements from the drawing to the equilibrium
 _HEIGHT_RANGE = 5e-3  # m, range of heights to search: profiles and track height differ by less
+_FOLLOWING = 0.1  # s, time constant of train and drives for the forces along the track
 _DEFLECTION_GUESS = 2e-3  # m, of the track under a loaded wheel
 
 
@@ -44,6 +46,20 @@ class Snapshot(NamedTuple):
     v: FloatArray
     train: FloatArray  # `Inputs.train_start`
     torque: FloatArray  # `Inputs.drive_torque`
+
+
+def drawn_frame(vehicle: Vehicle, alignment: AlignmentTable) -> tuple[FloatArray, FloatArray]:
+    """Place of the drawing's origin in the global frame at the start of a run [m], and its axes as columns.
+
+    Parameters
+    ----------
+    vehicle : its middle is read
+    alignment : a straight of one gradient under the vehicle
+    """
+    *origin, _, pitch, _, _, _ = inclined_frame(alignment, start_middle(vehicle))
+    turn = np.empty((3, 3))
+    inclined_rotation(0.0, pitch, 0.0, turn)
+    return np.array(origin), turn
 
 
 class RollingVehicle:
@@ -98,6 +114,22 @@ class RollingVehicle:
         """Move the train of a driven vehicle to its distance from the coupler head, after `forces`."""
         self.inputs.train_start[:] = self._start + self.work.arc_length[-1] - self._rear
 
+    def follow(self, step: float) -> None:
+        """Reduce the force of train or drives by a share of the sum of all forces along the track.
+
+        Parameters
+        ----------
+        step : of a motion in time [s]
+        """
+        bodies = self.work.generalized_force[: first_track(self.model)].reshape(-1, BODY_COORDINATES)[:, :3]
+        change = float((bodies @ self.along).sum()) * step / _FOLLOWING
+        if self.driven:
+            radius = self.vehicle.wheelsets[0].radius
+            self.inputs.drive_torque[:] -= change * radius / self.inputs.drive_torque.size
+            self.pull_as_before()
+        else:
+            self.inputs.train_start[:] -= change / self.model.train.stiffness
+
     def settled(self) -> None:
         """Set all velocities but the unknown ones to those at rest, and move the vehicle to its place."""
         rates = self.v[self.rates].copy()
@@ -135,10 +167,9 @@ class RollingVehicle:
         vehicle, model = self.vehicle, self.model
         self.q, self.v = np.zeros(coordinates(model)), np.zeros(coordinates(model))
         track = _DEFLECTION_GUESS if model.flexible else 0.0
-        *origin, _, pitch, _, _, _ = inclined_frame(model.alignment, middle)
+        origin, turn = drawn_frame(vehicle, model.alignment)
+        pitch = inclined_frame(model.alignment, middle)[4]
         speed = model.train.speed / math.cos(pitch)  # the train's is in plan
-        turn = np.empty((3, 3))
-        inclined_rotation(0.0, pitch, 0.0, turn)
         self.along = turn[:, 0].copy()
         for i, body in enumerate(vehicle.bodies):
             k = BODY_COORDINATES * i

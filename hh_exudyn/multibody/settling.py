@@ -14,11 +14,10 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.multibody.linear.inertia import masses
-from hh_exudyn.multibody.model import BODY_COORDINATES, first_track
+from hh_exudyn.multibody.model import first_track
 from hh_exudyn.multibody.rolling import RollingVehicle
 
 DAMPING_RATE = 12.0  # 1/s, of the added damping: half of critical for bounce at 2 Hz
-_FOLLOWING = 0.1  # s, time constant of train and drives for the forces along the track
 # s, of a step; the shortest is stable, and is used at a jump of the force, where none meets the tolerance
 _SHORTEST_STEP, _FIRST_STEP, _LONGEST_STEP = 5e-5, 2e-4, 5e-3
 FARTHEST = 0.5  # m or rad from the drawing: beyond it a body is not going to come to rest
@@ -47,10 +46,6 @@ class Settling:
         self._damping = DAMPING_RATE * self._moves
         self._damping[first_track(model) :] = 0.0
         self._drawn = rolling.q.copy()
-        self._torque_rate = 0.0
-        if rolling.driven:
-            radius = rolling.vehicle.wheelsets[0].radius
-            self._torque_rate = radius / rolling.inputs.drive_torque.size / _FOLLOWING
         self.time = 0.0
         self._tolerance = np.repeat([_PLACE, _RATE], size)
         self._step = _FIRST_STEP
@@ -75,7 +70,7 @@ class Settling:
                 break
             self._y = y
             self.time += step
-            self._follow(step)
+            self._rolling.follow(step)
         self._put(self._y)
         self._rolling.settled()
         return self.time >= end
@@ -111,15 +106,3 @@ class Settling:
         moving = y[self._drawn.size :]
         acceleration = self._rolling.forces() / self._mass - self._damping * moving
         return np.concatenate([self._moves * moving, acceleration])
-
-    def _follow(self, step: float) -> None:
-        """Reduce the force of train or drives by a share of the sum of all forces along the track."""
-        rolling = self._rolling
-        model, force = rolling.model, rolling.work.generalized_force
-        bodies = force[: first_track(model)].reshape(-1, BODY_COORDINATES)[:, :3]
-        push = float((bodies @ rolling.along).sum())
-        if rolling.driven:
-            rolling.inputs.drive_torque[:] -= push * self._torque_rate * step
-            rolling.pull_as_before()
-        else:
-            rolling.inputs.train_start[:] -= push / model.train.stiffness * step / _FOLLOWING

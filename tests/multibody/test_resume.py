@@ -65,7 +65,7 @@ def test_sigterm_keeps_the_log_and_the_run_is_resumed(
     case: Case, whole: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # on any machine the signal comes between two borders, and the disk is free at the first
-    monkeypatch.setattr("hh_exudyn.multibody.simulate.PROGRESS_INTERVAL", 0.0)
+    monkeypatch.setattr("hh_exudyn.multibody.integration.PROGRESS_INTERVAL", 0.0)
     monkeypatch.setattr("hh_exudyn.log.recorder.KEEP_INTERVAL", 1e6)
     before = signal.getsignal(signal.SIGTERM)
     with pytest.raises(Terminated) as ended:

@@ -10,7 +10,12 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import Bundle
-from hh_exudyn.multibody.assembly import explicit_settings, exudyn_system, whole_steps
+from hh_exudyn.multibody.exudyn_system import (
+    ExudynSystem,
+    explicit_settings,
+    exudyn_system,
+    whole_steps,
+)
 from hh_exudyn.multibody.interruption import Interruption
 from hh_exudyn.multibody.linear.modes import LinearVehicle
 from hh_exudyn.multibody.linear.stability import require_stable_step
@@ -164,7 +169,8 @@ def lateral_motion(
         return not (troubles or interruption.wanted)
 
     with Interruption() as interruption:
-        _solve(exudyn_system(model, start.q, start.v, forces, after_step), duration, step)
+        settings = explicit_settings(0, whole_steps(duration, step), step)
+        _solve(exudyn_system(model, vehicle.vehicle, start.q, start.v, forces, after_step, settings))
     if interruption.wanted:
         raise KeyboardInterrupt
     if troubles:
@@ -173,11 +179,12 @@ def lateral_motion(
     return LateralMotion(table[:, 0], table[:, 1:], MotionState(speed, end[0], end[1], sliders.copy()))
 
 
-def _solve(mbs: Any, duration: float, step: float) -> None:
+def _solve(system: ExudynSystem) -> None:
     """Integrate without Exudyn's own messages, as `simulate` does."""
     exu.config.printToConsole = False
     try:
-        mbs.SolveDynamic(explicit_settings(0, whole_steps(duration, step), step), showHints=False)
+        system.mbs.Assemble()
+        system.mbs.SolveDynamic(system.settings, showHints=False)
     finally:
         exu.config.printToConsole = True
 
