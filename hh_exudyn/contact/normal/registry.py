@@ -18,6 +18,7 @@ HERTZ = 0
 ANALYN = 1
 KIK_PIOTROWSKI = 2
 COUPLED_STRIPS = 3
+EQUIVALENT_ELASTIC = 4
 
 
 class NormalTheory(NamedTuple):
@@ -38,6 +39,12 @@ NORMAL = (
     NormalTheory(HERTZ, "hertz", "the ellipse of Hertz", makes_strips=False),
     NormalTheory(ANALYN, "analyn", "Hertz strip by strip: Sichani, Enblom and Berg 2014"),
     NormalTheory(KIK_PIOTROWSKI, "kik_piotrowski", "virtual interpenetration: Kik and Piotrowski 1996"),
+    NormalTheory(
+        EQUIVALENT_ELASTIC,
+        "equivalent_elastic",
+        "one ellipse of equal area for each region of overlap, as SIMPACK's of that name",
+        makes_strips=False,
+    ),
 )
 NORMAL_THEORIES: dict[str, int] = {theory.name: theory.number for theory in NORMAL}
 
@@ -60,6 +67,12 @@ def check_combination(normal: str, theory: str) -> None:
         raise ValueError(
             f"theory = {theory!r} is made for ellipses; the patches of normal = {normal!r} need {wanted}"
         )
+
+
+@inlined_kernel
+def is_elliptic(normal: int) -> bool:
+    """Whether a theory makes ellipses, not strips."""
+    return normal in (HERTZ, EQUIVALENT_ELASTIC)
 
 
 @inlined_kernel
