@@ -72,7 +72,7 @@ class Case(CaseTable):
     patches, or a table for friction by place, zone and slip (`hh_exudyn.case.friction`). `traction` and
     `steering` are for vehicles with drives (`hh_exudyn.case.traction`); such a vehicle without the first has
     the default table. `train` passes a force through a hauled vehicle, `brake` presses the brake shoes of one
-    that has them (`hh_exudyn.case.train`).
+    that has them (`hh_exudyn.case.train`). With `free_rolling` nothing holds the speed after the start.
 
     Raises
     ------
@@ -93,6 +93,7 @@ class Case(CaseTable):
     steering: SteeringCase | None = None
     train: TrainCase | None = None
     brake: BrakeCase | None = None
+    free_rolling: bool = False
 
     if not TYPE_CHECKING:  # type checkers keep the signature made from the fields
 
@@ -189,6 +190,8 @@ class Case(CaseTable):
             self.train.require_through(self.described_vehicle())
         if self.brake is not None:
             self.brake.thrusts(self.described_vehicle())
+        if self.free_rolling and (self.train is not None or self.described_vehicle().drives):
+            raise ValueError("free_rolling = true: allowed without train, for a vehicle without drives")
         return self
 
     @property
@@ -292,6 +295,8 @@ class Case(CaseTable):
             normal=self.contact.normal,
             theory=self.contact.theory,
             cells=self.contact.cells,
+            material=self.contact.material,
+            smoothing=self.contact.profile_smoothing_mm / 1000,
         )
 
     def mirrored(self) -> "Case":

@@ -5,6 +5,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from hh_exudyn.case.fields import CaseTable, number
+from hh_exudyn.contact.material import STEEL, Material
 from hh_exudyn.contact.normal.registry import NORMAL_THEORIES, check_combination
 from hh_exudyn.contact.tangential.registry import RUN_THEORIES, STRIP_THEORIES
 
@@ -38,6 +39,9 @@ class ContactCase(CaseTable):
         default=(20, 16), strict=False, json_schema_extra={"allowed": "two whole numbers from 5 to 100"}
     )
     damping_s_per_m: float = number("s/m", 0, 3, 0.3)
+    young_modulus_GPa: float = number("GPa", 1, 1000, STEEL.young_modulus / 1e9)
+    poisson_ratio: float = number("-", 0, 0.5, STEEL.poisson_ratio)
+    profile_smoothing_mm: float = number("mm", 0.1, 5, 0.5)
 
     @model_validator(mode="before")
     @classmethod
@@ -53,6 +57,12 @@ class ContactCase(CaseTable):
     def _check_combination(self) -> Self:
         check_combination(self.normal, self.theory)
         return self
+
+    @property
+    def material(self) -> Material:
+        """Elastic constants of wheel and rail."""
+        shear_modulus = self.young_modulus_GPa * 1e9 / (2.0 * (1.0 + self.poisson_ratio))
+        return Material(shear_modulus, self.poisson_ratio)
 
 
 class IntegrationCase(CaseTable):

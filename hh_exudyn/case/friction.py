@@ -101,15 +101,22 @@ class FrictionSectionCase(BothRailsCase):
     start_m: float = number("m", 0, 1_000_000)
 
 
+class FallingCase(CaseTable):
+    """Falling friction mu(v) = mu(0) ((1 - ratio) exp(-decrease v) + ratio) (`track.friction.Falling`)."""
+
+    ratio: float = number("-", 0, 1)
+    decrease_s_per_m: float = number("s/m", 0, 10)
+
+
 class FrictionCase(BothRailsCase):
     """Friction by place on the track, zone of the wheel and slip speed.
 
-    `falling`: a characteristic of `track.friction.known`, from the coefficients at rest downwards; without it
-    friction does not depend on slip. `lubricated_wheelsets` have the treatment `lubrication` everywhere. One
+    `falling`: a characteristic of `track.friction.known`, or a table of its two numbers, from the coefficients at
+    rest downwards; without it friction does not depend on slip. `lubricated_wheelsets` have the treatment `lubrication` everywhere. One
     section changes into the next over `ramp_m`.
     """
 
-    falling: _Falling | None = None
+    falling: _Falling | FallingCase | None = None
     lubricated_wheelsets: tuple[int, ...] = Field((), strict=False, json_schema_extra={"allowed": _WHEELSETS})
     lubrication: _Treatment = "flange_lubrication"
     ramp_m: float = number("m", 0.1, 100, 2.0)
@@ -147,7 +154,7 @@ class FrictionCase(BothRailsCase):
             tuple(
                 FrictionSection(start, _zones(left), _zones(right)) for start, left, right in self._places()
             ),
-            Falling() if self.falling is None else falling(self.falling),
+            _falling(self.falling),
             self.ramp_m,
         )
 
@@ -208,6 +215,13 @@ class FrictionCase(BothRailsCase):
         return [
             (self.lubrication,) if w in self.lubricated_wheelsets else () for w in range(1, wheelsets + 1)
         ]
+
+
+def _falling(said: str | FallingCase | None) -> Falling:
+    """The characteristic of a name or of its numbers."""
+    if isinstance(said, FallingCase):
+        return Falling(said.ratio, said.decrease_s_per_m)
+    return Falling() if said is None else falling(said)
 
 
 def _treatments(said: Sequence[SurfaceCase]) -> tuple[str, ...]:

@@ -140,6 +140,17 @@ def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
     )
 
 
+def released(model: SystemModel, case: Case) -> SystemModel:
+    """The model of the run, after the equilibrium: without its train where the case rolls freely.
+
+    Parameters
+    ----------
+    model : as assembled
+    case : says whether the vehicle rolls freely
+    """
+    return model._replace(train=model.train._replace(stiffness=0.0, damping=0.0)) if case.free_rolling else model
+
+
 def _drives(vehicle: Vehicle, numbers: dict[str, int]) -> Drives:
     bodies = [(numbers[drive.wheelset], numbers[drive.motor]) for drive in vehicle.drives]
     return Drives(np.array(bodies, dtype=np.int64).reshape(-1, 2))
@@ -170,12 +181,14 @@ def _couplings(vehicle: Vehicle, numbers: dict[str, int]) -> Couplings:
     arms_a = [np.array(end) - positions[c.body_a] for (end, _), c in zip(ends, couplings, strict=True)]
     arms_b = [np.array(end) - positions[c.body_b] for (_, end), c in zip(ends, couplings, strict=True)]
     kind, records = packed(couplings, FAMILIES)
+    spinning = {wheelset.body for wheelset in vehicle.wheelsets}
     return Couplings(
         kind=kind,
         body_a=np.array([numbers[coupling.body_a] for coupling in couplings], dtype=np.int64),
         body_b=np.array([numbers[coupling.body_b] for coupling in couplings], dtype=np.int64),
         point_a=np.array(arms_a).reshape(-1, 3),  # a vehicle may have no couplings at all
         point_b=np.array(arms_b).reshape(-1, 3),
+        on_axle=np.array([coupling.body_b in spinning for coupling in couplings], dtype=np.int64),
         numbers=records,
     )
 

@@ -61,6 +61,7 @@ class Couplings(NamedTuple):
     body_b: IntArray  # (n,)
     point_a: FloatArray  # (n, 3) in the axes of body A from its centre of mass [m]
     point_b: FloatArray  # (n, 3) of body B
+    on_axle: IntArray  # (n,) 1 where body B is a wheelset, else 0
     numbers: Any  # (n,) numbers of its family by name, in the field of the family's name
 
 

@@ -24,7 +24,7 @@ from hh_exudyn.log.store import (
     write_inputs,
     write_status,
 )
-from hh_exudyn.multibody.assembly import assemble, explicit_settings, exudyn_system, whole_steps
+from hh_exudyn.multibody.assembly import assemble, explicit_settings, exudyn_system, released, whole_steps
 from hh_exudyn.multibody.checkpoint import SEGMENT, Checkpoint, flat, read_checkpoint
 from hh_exudyn.multibody.control import VehicleControl, vehicle_control
 from hh_exudyn.multibody.equilibrium import Equilibrium, equilibrium
@@ -115,7 +115,6 @@ def simulate(
     model = assemble(runs, case)
     work = workspace(model)
     control = vehicle_control(case, runs, model, work)
-    integration = _Integration(case, model, work, control)
     status: dict[str, Any] = {"finished": False, "reason": "running"}
     if stored is None:
         if progress is not None:
@@ -123,9 +122,11 @@ def simulate(
         start = clock.perf_counter()
         state = equilibrium(runs, model, work)
         require_stable_step(case.integration.step_ms * 1e-3, model, work, state)
+        integration = _Integration(case, released(model, case), work, control)
         integration.begin(state, case.alignment().length)
         integration.times["equilibrium_s"] = clock.perf_counter() - start
     else:
+        integration = _Integration(case, released(model, case), work, control)
         integration.go_on(stored)
     if control is not None:
         status["curve_resistance_of_train"] = case.traction_or_default.curve_resistance

@@ -56,7 +56,7 @@ def evaluate(
     for k in range(work.ledger.size):
         work.ledger[k] = 0.0
     _body_states(model, work, q, v)
-    coupling_forces(model.couplings, sliders, settle, work)
+    coupling_forces(model.couplings, sliders, settle, work, time)
     _train_forces(model, work, time)
     _drive_torques(model, work)
     brake_forces(model.brakes, work, time)
