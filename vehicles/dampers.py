@@ -5,8 +5,8 @@ Kernels of plain numbers; no bodies, no Exudyn. A series damper has one state, i
     F' = k (v - v_d),   F = table(v_d)                                                                    (1)
 
 for the relative speed v, of which the damper takes v_d and the spring the rest. On a stretch of the table
-F = c (v_d - w), and for v linear over a step of length h, with the mean m, the value v1 at its end, v0 = 2 m - v1
-at its beginning and the slope s = 2 (v1 - m)/h,
+F = c (v_d - w), and for v linear over a step of length h, with the mean m, the value v1 at its end,
+v0 = 2 m - v1 at its beginning and the slope s = 2 (v1 - m)/h,
 
     F(h) = c (v1 - w) - c T s + (F(0) - c (v0 - w) + c T s) exp(-h/T),   T = c/k                           (2)
 
@@ -52,7 +52,7 @@ def series_damper_force(
     ----------
     before : force at the beginning of the step [N]
     moved : change of the relative displacement since [m]
-    elapsed : time since [s]; where it is below zero nothing is known of the past, and the spring counts as rigid
+    elapsed : time since [s]; below zero nothing is known of the past, and the spring counts as rigid
     speed : relative speed now [m/s]
     stiffness : of the spring [N/m]
     table, points : as of `damper_force`
@@ -93,6 +93,4 @@ def _marched(
     start = 2.0 * mean - speed
     steady_lag = slope * lag * rise
     left = math.exp(-elapsed / lag)
-    return (
-        slope * (speed - offset) - steady_lag + (before - slope * (start - offset) + steady_lag) * left
-    )
+    return slope * (speed - offset) - steady_lag + (before - slope * (start - offset) + steady_lag) * left

@@ -141,8 +141,8 @@ class Vehicle:
         for c in self.couplings:
             if c.body_a in spinning:
                 raise ValueError(
-                    f"vehicle {self.name}: {type(c).__name__} {c.name} has the axes of its body A, which would "
-                    f"turn with the spinning wheelset {c.body_a}; make the wheelset its body B"
+                    f"vehicle {self.name}: {type(c).__name__} {c.name} has the axes of its body A, which "
+                    f"would turn with the spinning wheelset {c.body_a}; make the wheelset its body B"
                 )
             if isinstance(c, AxleBoxArm) and c.body_b not in spinning:
                 raise ValueError(

@@ -1,7 +1,8 @@
 """Couplings of passenger bogies: axle-box arm, damper by a table, damper in series with its mounting.
 
 As those of `vehicles.couplings`, which names them all: frozen values on the drawing, displacement of body B
-relative to body A in the axes of A, force on B. Their kernels: `hh_exudyn.multibody.couplings.passenger_bogie`.
+relative to body A in the axes of A, force on B. Their kernels:
+`hh_exudyn.multibody.couplings.passenger_bogie`.
 """
 
 import math
@@ -16,19 +17,19 @@ LARGEST_DAMPER_TABLE = 10  # most points, the size of the table in the force ker
 
 @dataclass(frozen=True)
 class AxleBoxArm:
-    """Arm of an axle box: it turns about the axle of a wheelset (B) and guides it by a bushing of a frame (A).
+    """Arm of an axle box: it turns about the axle of a wheelset (B), guided by a bushing of a frame (A).
 
-    The arm has no mass of its own here (add that to the wheelset), so it needs no joint and no stiff stand-in:
-    it is a two-force member. Let r be the vector from the axle to the bushing in the arm's plane, d the
-    bushing's deflection there and K = diag(Kx, Kz) its stiffness. The bearing passes no moment about the axle,
-    so that the bushing's force F = K d has none either,
+    The arm has no mass of its own here (add that to the wheelset), so it needs no joint and no stiff
+    stand-in: it is a two-force member. Let r be the vector from the axle to the bushing in the arm's plane, d
+    the bushing's deflection there and K = diag(Kx, Kz) its stiffness. The bearing passes no moment about the
+    axle, so that the bushing's force F = K d has none either,
 
         r x F = 0,   F along r;   with the arm's pitch as unknown:   F = k (u.d) u,   1/k = ux^2/Kx + uz^2/Kz
 
-    with u = r/|r|: bushing and arm are one spring along the arm, whose length is that from axle to bushing. For
-    Kx = Kz that holds at any angle, else for small changes of it. Whatever else presses on the axle box
-    through the axle (a coil above it) has no moment about it and stays a coupling of its own. Across its plane
-    the arm is stiff: the bushing's lateral force acts on the axle with its lever, and turns it.
+    with u = r/|r|: bushing and arm are one spring along the arm, whose length is that from axle to bushing.
+    For Kx = Kz that holds at any angle, else for small changes of it. Whatever else presses on the axle box
+    through the axle (a coil above it) has no moment about it and stays a coupling of its own. Across its
+    plane the arm is stiff: the bushing's lateral force acts on the axle with its lever, and turns it.
     """
 
     name: str
@@ -42,8 +43,8 @@ class AxleBoxArm:
     def __post_init__(self) -> None:
         if not (math.hypot(self.arm[0], self.arm[2]) > 0.0 and abs(self.arm[1]) < 1e-9):
             raise ValueError(
-                f"axle-box arm {self.name}: bushing {self.bushing} m must be away from the axle at {self.point} m "
-                "and at the same y"
+                f"axle-box arm {self.name}: bushing {self.bushing} m must be away from the axle at "
+                f"{self.point} m and at the same y"
             )
         if not all(value > 0.0 for value in self.stiffness):
             raise ValueError(f"axle-box arm {self.name}: stiffness {self.stiffness} N/m must be > 0")
@@ -67,8 +68,8 @@ class AxleBoxArm:
 class Damper:
     """Damper along one axis of body A by a table of force over speed, the same in both directions.
 
-    Linear between its points; beyond the last it goes on as between the last two, so that a blow-off valve is a
-    last stretch of constant force. `preload` is a force on body B along the axis, of a gas cushion.
+    Linear between its points; beyond the last it goes on as between the last two, so that a blow-off valve is
+    a last stretch of constant force. `preload` is a force on body B along the axis, of a gas cushion.
     """
 
     name: str

@@ -111,9 +111,9 @@ class FallingCase(CaseTable):
 class FrictionCase(BothRailsCase):
     """Friction by place on the track, zone of the wheel and slip speed.
 
-    `falling`: a characteristic of `track.friction.known`, or a table of its two numbers, from the coefficients at
-    rest downwards; without it friction does not depend on slip. `lubricated_wheelsets` have the treatment `lubrication` everywhere. One
-    section changes into the next over `ramp_m`.
+    `falling`: a characteristic of `track.friction.known`, or a table of its two numbers, from the
+    coefficients at rest downwards; without it friction does not depend on slip. `lubricated_wheelsets` have
+    the treatment `lubrication` everywhere. One section changes into the next over `ramp_m`.
     """
 
     falling: _Falling | FallingCase | None = None

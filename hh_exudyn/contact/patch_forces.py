@@ -1,15 +1,16 @@
 """The forces of one contact patch: normal contact, creepages, creep forces (kernel).
 
-An ellipse (`hertz`, `equivalent_elastic`) or the strips of `non_elliptic` give normal force and patch, the creepages
-come from the rigid-body velocity of the wheel's material at the contact point relative to the rail,
+An ellipse (`hertz`, `equivalent_elastic`) or the strips of `non_elliptic` give normal force and patch, the
+creepages come from the rigid-body velocity of the wheel's material at the contact point relative to the rail,
 `friction` the coefficient for this patch at its slip, `tangential` the creep forces.
 
 The slip speed on which friction falls is that of the patch as a whole (creepages times speed, Polach's w):
 neither the spin, of which the slip cancels about the middle, nor adhesion within the patch counts.
 
-The contact point of Hertz's ellipse is the point of deepest interpenetration, that of `equivalent_elastic` the
-centroid of the overlap, that of a patch of strips its centre of pressure; the patch is plane. Forces act at the contact point on the undeformed wheel (half an approach,
-some 0.05 mm, from where the deformed surfaces meet: without influence on any moment).
+The contact point of Hertz's ellipse is the point of deepest interpenetration, that of `equivalent_elastic`
+the centroid of the overlap, that of a patch of strips its centre of pressure; the patch is plane. Forces act
+at the contact point on the undeformed wheel (half an approach, some 0.05 mm, from where the deformed surfaces
+meet: without influence on any moment).
 """
 
 import math

@@ -70,6 +70,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         friction=case.friction_table(len(vehicle.wheelsets)),
         alignment=alignment.table,
         irregularity=_irregularity(vehicle, case, alignment),
+        cant_ramp_slope=case.track.cant_ramp_slope,
         flexible=flexible,
         track=flexibility.parameters(),
         shortest_transition=shortest_transition(case.speed, case.integration.step_ms * 1e-3),
@@ -148,7 +149,9 @@ def released(model: SystemModel, case: Case) -> SystemModel:
     model : as assembled
     case : says whether the vehicle rolls freely
     """
-    return model._replace(train=model.train._replace(stiffness=0.0, damping=0.0)) if case.free_rolling else model
+    if not case.free_rolling:
+        return model
+    return model._replace(train=model.train._replace(stiffness=0.0, damping=0.0))
 
 
 def _drives(vehicle: Vehicle, numbers: dict[str, int]) -> Drives:

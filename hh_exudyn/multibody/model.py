@@ -106,6 +106,7 @@ class SystemModel(NamedTuple):
     friction: FrictionTable
     alignment: AlignmentTable
     irregularity: IrregularityTable
+    cant_ramp_slope: bool  # whether rails rise and fall with a cant ramp, or lie along the centre line
     flexible: bool
     track: TrackParameters
     shortest_transition: float  # of the creepage, a lower bound of the semi-axis a [m]

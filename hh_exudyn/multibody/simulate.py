@@ -115,6 +115,7 @@ def simulate(
     model = assemble(runs, case)
     work = workspace(model)
     control = vehicle_control(case, runs, model, work)
+    integration = _Integration(case, released(model, case), work, control)
     status: dict[str, Any] = {"finished": False, "reason": "running"}
     if stored is None:
         if progress is not None:
@@ -122,11 +123,9 @@ def simulate(
         start = clock.perf_counter()
         state = equilibrium(runs, model, work)
         require_stable_step(case.integration.step_ms * 1e-3, model, work, state)
-        integration = _Integration(case, released(model, case), work, control)
         integration.begin(state, case.alignment().length)
         integration.times["equilibrium_s"] = clock.perf_counter() - start
     else:
-        integration = _Integration(case, released(model, case), work, control)
         integration.go_on(stored)
     if control is not None:
         status["curve_resistance_of_train"] = case.traction_or_default.curve_resistance

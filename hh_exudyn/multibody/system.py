@@ -201,6 +201,8 @@ def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: Floa
             row[1] = local[1]
             row[2] = local[2]
         turn = track_turn(model.alignment, s, pitch, roll)
+        if not model.cant_ramp_slope:
+            turn = TrackTurn(turn.ahead, 0.0, turn.pitch, turn.yaw, turn.gauge)
         _rail_states(model, work, q, v, w, turn, gauge, settle)
         _creep_lags(model, work, v, w)
 

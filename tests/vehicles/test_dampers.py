@@ -1,6 +1,7 @@
 """Dampers by a table and in series with a spring, against the differential equation and closed forms."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -24,7 +25,7 @@ def test_table_is_odd_and_linear_between_its_points():
 def marched(times, way, speed, stiffness, table, points):
     """Forces at the times of a motion, step by step from rest."""
     force, forces = 0.0, [0.0]
-    for t0, t1 in zip(times[:-1], times[1:], strict=True):
+    for t0, t1 in pairwise(times):
         force, _ = series_damper_force(force, way(t1) - way(t0), t1 - t0, speed(t1), stiffness, table, points)
         forces.append(force)
     return np.array(forces)

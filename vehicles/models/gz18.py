@@ -1,9 +1,9 @@
 """GZ18, a passenger vehicle whose response in a curve SIMPACK has published, wheel by wheel.
 
-Two bogies with axle-box arms, air springs, yaw dampers, lateral dampers and anti-roll bars. The 17 bodies of the
-source are seven here: the car body carries the interface bodies welded to it, and the arms are condensed
-(`vehicles.passenger_bogie.AxleBoxArm`), with their mass and their inertia across the axle on the wheelset. It is
-drawn loaded, at the heights of the source: every spring that carries weight has its preload.
+Two bogies with axle-box arms, air springs, yaw dampers, lateral dampers and anti-roll bars. The 17 bodies of
+the source are seven here: two are welded to the car body, and the axle-box arms are condensed
+(`vehicles.passenger_bogie.AxleBoxArm`), their mass on the wheelset. It is drawn loaded, at the heights of the
+source: every spring that carries weight has its preload.
 """
 
 import math
@@ -13,7 +13,7 @@ from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import Bushing, Coupling
 from vehicles.description import Body, Coupler, Vehicle, Wheelset
-from vehicles.models.parts import SIDES, body_of_kind, in_directions, principal_inertia
+from vehicles.models.parts import SIDES, body_of_kind, in_directions
 from vehicles.passenger_bogie import AxleBoxArm, Damper, SeriesDamper
 from vehicles.record import VehicleRecord
 
@@ -24,7 +24,8 @@ _FASTER = 10.0  # times the speed of blow-off: second point of its stretch, beyo
 
 def gz18(name: str, p: ParameterSet) -> Vehicle:
     """The vehicle, leading bogie first."""
-    body = _car_body(p)
+    body = body_of_kind(p, "car_body", "car_body", (0.0, 0.0, p["car_body.height"]))
+    sprung = body.mass + 2 * p["bogie_frame.mass"]
     bodies = [body]
     couplings: list[Coupling] = []
     wheelsets: list[Wheelset] = []
@@ -35,9 +36,10 @@ def gz18(name: str, p: ParameterSet) -> Vehicle:
         bodies.append(frame)
         couplings += _secondary(p, frame, body)
         for end in (1, -1):
-            wheelset = _wheelset(p, 2 * number - (end > 0), middle + end * p["bogie_frame.half_wheelbase"])
+            place = (middle + end * p["bogie_frame.half_wheelbase"], 0.0, p["wheelset.radius"])
+            wheelset = body_of_kind(p, "wheelset", f"wheelset_{2 * number - (end > 0)}", place)
             bodies.append(wheelset)
-            couplings += _primary(p, frame, wheelset, end, _sprung(p) * GRAVITY / 8)
+            couplings += _primary(p, frame, wheelset, end, sprung * GRAVITY / 8)
             wheelsets.append(Wheelset(wheelset.name, number, p["wheelset.radius"]))
     return Vehicle(
         name=name,
@@ -49,33 +51,9 @@ def gz18(name: str, p: ParameterSet) -> Vehicle:
             "length": p["car_body.length"],
             "wheelbase": 2 * p["bogie_frame.half_wheelbase"],
             "wheel_radius": p["wheelset.radius"],
-            "axle_box_half_spacing": p["arm.half_spacing"],
+            "axle_box_half_spacing": p["coil.half_spacing"],
         },
     )
-
-
-def _sprung(p: ParameterSet) -> float:
-    """Mass on the primary springs [kg]."""
-    return p["car_body.mass"] + 2 * p["interface.mass"] + 2 * p["bogie_frame.mass"]
-
-
-def _car_body(p: ParameterSet) -> Body:
-    """The car body with the interface bodies over the bogies (their offset in height left out: 0.02 mm)."""
-    half, extra = p["car_body.half_bogie_distance"], 2 * p["interface.mass"]
-    roll, pitch, yaw = principal_inertia(p, "car_body")
-    centre = (0.0, 0.0, p["car_body.height"])
-    inertia = (roll, pitch + extra * half**2, yaw + extra * half**2)
-    return Body("car_body", "car_body", p["car_body.mass"] + extra, inertia, centre)
-
-
-def _wheelset(p: ParameterSet, number: int, x: float) -> Body:
-    """A wheelset with its two arms: they yaw and roll with it, and do not spin."""
-    arms, across = 2 * p["arm.mass"], 2 * p["arm.inertia"]
-    across += arms * p["arm.half_spacing"] ** 2
-    roll, spin, yaw = principal_inertia(p, "wheelset")
-    centre = (x, 0.0, p["wheelset.radius"])
-    inertia = (roll + across, spin, yaw + across)
-    return Body(f"wheelset_{number}", "wheelset", p["wheelset.mass"] + arms, inertia, centre)
 
 
 def _primary(p: ParameterSet, frame: Body, wheelset: Body, end: int, load: float) -> list[Coupling]:

@@ -53,7 +53,7 @@ VIRTUAL_SHARE = 0.55  # of the elastic approach that the undeformed profiles ove
 _PLACES, _WEIGHTS = np.polynomial.legendre.leggauss(16)  # across a region
 _TOLERANCE = 1e-10  # m, of an edge
 _MOST_STEPS = 40
-_MOST_MEANS = 12  # of the arithmetic-geometric mean: quadratic, six reach the last digit at an axis ratio 1e-6
+_MOST_MEANS = 12  # of the arithmetic-geometric mean; six reach the last digit at an axis ratio 1e-6
 
 
 @kernel

@@ -121,9 +121,9 @@ def damper(p: DamperNumbers, motion: Motion, condition: Condition) -> Reaction:
 def series_damper(p: SeriesDamperNumbers, motion: Motion, condition: Condition) -> Reaction:
     """Along its axis only; its sliders are force, displacement and time of the last accepted step.
 
-    At rest in the equilibrium the force is zero, and the time there infinite: until the first step is accepted,
-    and in linear analyses, which know no states of couplings, the damper acts alone. Arguments: see the head of
-    this file.
+    At rest in the equilibrium the force is zero, and the time there infinite: until the first step is
+    accepted, and in linear analyses, which know no states of couplings, the damper acts alone. Arguments: see
+    the head of this file.
     """
     way, speed = dot(motion.displacement, p.axis), dot(motion.rate, p.axis)
     force, own_speed, time = 0.0, 0.0, math.inf
