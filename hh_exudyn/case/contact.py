@@ -68,7 +68,7 @@ class ContactCase(CaseTable):
 class IntegrationCase(CaseTable):
     """Step of the time integration and output interval of the logs."""
 
-    step_ms: float = number("ms", 0.05, 0.5, 0.4)
+    step_ms: float = number("ms", 0.05, 1, 0.4)
     output_interval_ms: float = number("ms", 0.05, 1000, 4.0)
 
     @model_validator(mode="after")

@@ -18,10 +18,10 @@ track with other values::
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Annotated, Self, TypeVar
+from typing import Annotated, Any, Self, TypeVar
 
 import numpy as np
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import AfterValidator, Discriminator, Field, Tag, model_validator
 
 from hh_exudyn.case.errors import closest
 from hh_exudyn.case.fields import CaseTable, number
@@ -108,6 +108,15 @@ class FallingCase(CaseTable):
     decrease_s_per_m: float = number("s/m", 0, 10)
 
 
+def _name_or_table(value: Any) -> str:
+    return "table" if isinstance(value, dict | FallingCase) else "name"
+
+
+_AnyFalling = Annotated[
+    Annotated[_Falling, Tag("name")] | Annotated[FallingCase, Tag("table")], Discriminator(_name_or_table)
+]
+
+
 class FrictionCase(BothRailsCase):
     """Friction by place on the track, zone of the wheel and slip speed.
 
@@ -116,7 +125,7 @@ class FrictionCase(BothRailsCase):
     the treatment `lubrication` everywhere. One section changes into the next over `ramp_m`.
     """
 
-    falling: _Falling | FallingCase | None = None
+    falling: _AnyFalling | None = None
     lubricated_wheelsets: tuple[int, ...] = Field((), strict=False, json_schema_extra={"allowed": _WHEELSETS})
     lubrication: _Treatment = "flange_lubrication"
     ramp_m: float = number("m", 0.1, 100, 2.0)
