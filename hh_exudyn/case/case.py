@@ -73,6 +73,7 @@ class Case(CaseTable):
     `steering` are for vehicles with drives (`hh_exudyn.case.traction`); such a vehicle without the first has
     the default table. `train` passes a force through a hauled vehicle, `brake` presses the brake shoes of one
     that has them (`hh_exudyn.case.train`). With `free_rolling` nothing holds the speed after the start.
+    `start_m` is the arc length of the vehicle's middle at the start, on the first straight.
 
     Raises
     ------
@@ -94,6 +95,7 @@ class Case(CaseTable):
     train: TrainCase | None = None
     brake: BrakeCase | None = None
     free_rolling: bool = False
+    start_m: float | None = number("m", 0, 1_000_000, None)
 
     if not TYPE_CHECKING:  # type checkers keep the signature made from the fields
 

@@ -53,7 +53,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         in radius.
     """
     alignment = case.alignment()
-    _require_straight_start(vehicle, alignment, case.track.alignment_key)
+    _require_straight_start(vehicle, alignment, case.track.alignment_key, case.start_m)
     numbers = {body.name: i for i, body in enumerate(vehicle.bodies)}
     flexible = case.track.flexible
     # rigid track has an unused parameter set too, so that the kernel has the same types
@@ -65,6 +65,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         weight=np.array([body.weight for body in vehicle.bodies]),
         inertia=np.array([body.inertia for body in vehicle.bodies]),
         couplings=_couplings(vehicle, numbers),
+        start=start_middle(vehicle, case.start_m),
         wheelsets=np.array([numbers[wheelset.body] for wheelset in vehicle.wheelsets]),
         wheel_rail=case.contact_model(vehicle),
         friction=case.friction_table(len(vehicle.wheelsets)),
@@ -92,9 +93,9 @@ def shortest_transition(speed: float, step: float) -> float:
     return max(SHORTEST_TRANSITION, speed * step / LARGEST_LAG_RATE)
 
 
-def _require_straight_start(vehicle: Vehicle, alignment: Alignment, key: str) -> None:
+def _require_straight_start(vehicle: Vehicle, alignment: Alignment, key: str, place: float | None) -> None:
     """Raise ValueError unless the track under the vehicle at the start is straight and of one gradient."""
-    front = start_front(vehicle)
+    front = start_front(vehicle, place)
     first = f"track.{key}: the first {front:.1f} m"
     _, _, _, heading, _, roll, _, _ = inclined_frame(alignment.table, front)
     if abs(heading) > 1e-6 or abs(roll) > 1e-6:
@@ -112,7 +113,7 @@ def _require_straight_start(vehicle: Vehicle, alignment: Alignment, key: str) ->
 
 def _irregularity(vehicle: Vehicle, case: Case, alignment: Alignment) -> IrregularityTable:
     """Irregularities ahead of the vehicle's start; the track under it there is smooth."""
-    irregular = case.track.irregular(start_front(vehicle), alignment.length)
+    irregular = case.track.irregular(start_front(vehicle, case.start_m), alignment.length)
     if irregular is None:
         return smooth_track()
     irregular.check_spacing(case.speed, case.integration.step_ms * 1e-3)
@@ -133,7 +134,7 @@ def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
     return Train(
         bodies=np.array([numbers[body] for body in points.values()], dtype=np.int64),
         heads=heads - np.array([vehicle.body(body).position for body in points.values()]),
-        start=start_middle(vehicle) + heads[:, 0],
+        start=start_middle(vehicle, case.start_m) + heads[:, 0],
         stiffness=0.0 if uncoupled else coupler.stiffness,
         damping=0.0 if uncoupled else coupler.damping,
         speed=case.speed,

@@ -101,6 +101,7 @@ class SystemModel(NamedTuple):
     weight: FloatArray  # (bodies,) [N]
     inertia: FloatArray  # (bodies, 3) [kg m^2]
     couplings: Couplings
+    start: float  # arc length of the vehicle's middle at the start [m]
     wheelsets: IntArray  # (wheelsets,) body numbers
     wheel_rail: WheelRailModel
     friction: FrictionTable

@@ -26,7 +26,6 @@ from hh_exudyn.multibody.model import (
 from hh_exudyn.multibody.system import evaluate_bundle
 from track.course.alignment import inclined_frame, inclined_rotation
 from vehicles.description import Vehicle
-from vehicles.start import start_middle
 
 LENGTH_SCALE = 1e-3  # m and rad, of the displacements from the drawing to the equilibrium
 _HEIGHT_RANGE = 5e-3  # m, range of heights to search: profiles and track height differ by less
@@ -75,7 +74,7 @@ class RollingVehicle:
         self.sliders = np.zeros_like(work.new_sliders)
         self.driven = work.inputs.drive_torque.size > 0
         self.weight = float(model.weight.sum())
-        middle = start_middle(vehicle)
+        middle = model.start
         for i, wheelset in enumerate(vehicle.wheelsets):
             work.arc_length[i] = middle + vehicle.body(wheelset.body).position[0]
         work.arc_length[len(vehicle.wheelsets) :] = work.inputs.train_start

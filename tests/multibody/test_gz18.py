@@ -64,6 +64,7 @@ speed_km_h = 60.0
 wheel_profile = "lm_wheel.txt"
 back_to_back_mm = 1353.0
 free_rolling = true
+start_m = 12.0
 
 [friction]
 tread = 0.3
