@@ -128,8 +128,12 @@ FAULTS: dict[str, tuple[dict[str, Any], list[str]]] = {  # change: parts of the 
     "vehicle": ({"vehicle": "iore_wagon_laden"}, ["vehicle =", "iore_wagon_empty", '"iore_wagon_loaded"?']),
     "normal": ({"contact": {"normal": "hertzian"}}, ["contact.normal", "hertz, analyn, kik_piotrowski"]),
     "normal and theory": (
-        {"contact": {"normal": "analyn", "theory": "fastsim"}},
-        ["contact", "theory = 'fastsim'", "'fastrip'"],
+        {"contact": {"normal": "analyn", "theory": "polach"}},
+        ["contact", "theory = 'polach'", "'fastsim'", "'fastrip'"],
+    ),
+    "slip of every strip": (
+        {"contact": {"normal": "coupled_strips", "theory": "fastsim"}},
+        ["contact", "theory = 'fastsim' does not take the patches of normal = 'coupled_strips'"],
     ),
     "theory": (
         {"contact": {"theory": "fastrap"}},

@@ -32,7 +32,7 @@ def rolling(demo: Case) -> Case:
 
 def test_it_gains_the_speed_that_gravity_gives_its_mass_and_its_wheels(rolling: Case, tmp_path: Path) -> None:
     run = simulate(rolling, tmp_path / "run")
-    body = dataset.dataset(str(run.directory / "motion")).to_table(filter=dataset.field("body") == 0)
+    body = dataset.dataset(str(run.directory / "motion")).to_table(filter=dataset.field("body") == "car_body")
     time, speed = body["time"].to_numpy(), body["vx"].to_numpy()
     late = time > 0.5
     gained = np.polyfit(time[late], speed[late], 1)[0]

@@ -150,5 +150,5 @@ RECORD = VehicleRecord(
     "gz18",
     gz18,
     partial(load_parameters, "vehicles", "gz18"),
-    "reference: passenger vehicle whose response SIMPACK has published; needs its wheel profile LM as a file",
+    "reference: passenger vehicle with SIMPACK's response",
 )
