@@ -7,17 +7,17 @@ uncertainty stated in the file. The rails lie along the centre line on the cant 
 with their real slope (the default of a case) the steady curve is the same, and in the transitions the
 wheelsets run 0.1 to 0.2 mm further out, the leading axle's longitudinal forces are smaller by 0.3 kN.
 
-With coupled strips and FaStrip, the defaults of a case, the steady curve differs from SIMPACK's by up to 0.06 mm,
-0.07 mrad, 0.56 kN (N), 0.70 (Tx) and 0.78 kN (Ty). Taken apart:
+With coupled strips and FaStrip, the defaults of a case, the steady curve differs from SIMPACK's by up to 0.06
+mm, 0.07 mrad, 0.56 kN (N), 0.70 (Tx) and 0.78 kN (Ty). Taken apart:
 
     from                 to                          leading wheelsets          trailing wheelsets
     FASTSIM              FaStrip, the same patches   Tx -7 %, Ty +3 to +4 %     Tx +5 to +6 %
     equivalent_elastic   coupled strips              Tx, Ty below 1 %           Tx -1.5 to -1.7 %
 
-The tangential theory makes it, not the patch. Against the exact half-space with the creepages, in kN, of FASTSIM,
-FaStrip, exact: wheel 1L, flange root with spin, Tx 10.56, 10.03, 10.53, Ty 18.86, 19.42, 19.13; 1R, wide patch on
-the tread, Tx 10.94, 9.78, 9.86; 2L Tx 15.75, 16.59, 16.22. Coupled strips have 14 to 20 % more peak pressure, as
-the ellipse of equal area spreads a pressure that the flange root crowds.
+The tangential theory makes it, not the patch. Against the exact half-space with the creepages, in kN, of
+FASTSIM, FaStrip, exact: wheel 1L, flange root with spin, Tx 10.56, 10.03, 10.53, Ty 18.86, 19.42, 19.13; 1R,
+wide patch on the tread, Tx 10.94, 9.78, 9.86; 2L Tx 15.75, 16.59, 16.22. Coupled strips have 14 to 20 % more
+peak pressure, as the ellipse of equal area spreads a pressure that the flange root crowds.
 """
 
 import csv
