@@ -31,7 +31,7 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Mark what reads files of others, so that `.ci/run` can run just these where the files are."""
     for item in items:
-        if {"shared_profiles", "shared_cases"} & set(getattr(item, "fixturenames", ())):
+        if {"shared_profiles", "shared_cases", "shared_reference"} & set(getattr(item, "fixturenames", ())):
             item.add_marker(pytest.mark.shared)
 
 
@@ -56,4 +56,13 @@ def shared_cases() -> Path:
     folder = REPOSITORY.parent / "shared" / "cases"
     if not folder.is_dir():
         pytest.skip("reads an input that may not stand in the repository: no ../shared/cases")
+    return folder
+
+
+@pytest.fixture(scope="session")
+def shared_reference() -> Path:
+    """The folder of facts from other programs; the tests that read it compare, they hold no code alone."""
+    folder = REPOSITORY.parent / "shared" / "reference"
+    if not folder.is_dir():
+        pytest.skip("compares with another program's results: no ../shared/reference")
     return folder

@@ -9,6 +9,8 @@ import math
 from dataclasses import dataclass
 from itertools import pairwise
 
+from vehicles.passenger_bogie import AxleBoxArm, Damper, SeriesDamper
+
 Vector = tuple[float, float, float]
 
 LARGEST_TABLE = 10  # most points of a bump stop, the size of the table in the force kernel
@@ -26,6 +28,7 @@ class AxleBoxPad:
     damping: Vector  # [N s/m]
     roll_stiffness: float  # [N m/rad]
     yaw_stiffness: float  # [N m/rad]
+    preload: Vector = (0.0, 0.0, 0.0)  # force on the wheelset on the drawing [N], e.g. (0, 0, -load)
 
 
 @dataclass(frozen=True)
@@ -215,8 +218,8 @@ class SideBearer:
 class Bushing:
     """Linear spring and damper in all six directions: rubber element, coil spring, anti-roll bar, damper.
 
-    Rotations are the small ones of B relative to A, so neither body may be a wheelset, since spin would wind
-    it up: see `AxleBoxPad`. With a `preload` the drawing shows it loaded: (0, 0, weight) for a car body that
+    Rotations are the small ones of B relative to A; of a wheelset as body B they are those of its axle, since
+    its bearings let it spin. With a `preload` the drawing shows it loaded: (0, 0, weight) for a car body that
     stands on it.
     """
 
@@ -246,8 +249,8 @@ class Bushing:
 class Rod:
     """Spring and damper along the line between its two points: traction rod, drawbar, motor link, damper.
 
-    Unloaded on the drawing; it bears tension and compression, and both ends are ball joints. An end on a
-    wheelset must lie on the axle's centre line.
+    It bears tension and compression, and both ends are ball joints. An end on a wheelset must lie on the
+    axle's centre line. Without a `preload` it is unloaded on the drawing.
     """
 
     name: str
@@ -257,6 +260,7 @@ class Rod:
     point_b: Vector  # end on body B
     stiffness: float  # [N/m]
     damping: float  # [N s/m]
+    preload: float = 0.0  # pull on the drawing [N]
 
     def __post_init__(self) -> None:
         if not math.dist(self.point_a, self.point_b) > 0.0:
@@ -309,4 +313,17 @@ class BumpStop:
             )
 
 
-Coupling = AxleBoxPad | AxleBox | SpringNest | Wedge | CentrePlate | SideBearer | Bushing | Rod | BumpStop
+Coupling = (
+    AxleBoxPad
+    | AxleBox
+    | SpringNest
+    | Wedge
+    | CentrePlate
+    | SideBearer
+    | Bushing
+    | Rod
+    | BumpStop
+    | AxleBoxArm
+    | Damper
+    | SeriesDamper
+)

@@ -8,17 +8,12 @@ import math
 from dataclasses import dataclass
 
 from hh_exudyn.conventions import GRAVITY
-from vehicles.couplings import AxleBox, AxleBoxPad, BumpStop, Coupling, Rod, Vector
+from vehicles.couplings import Coupling, Rod, Vector
+from vehicles.passenger_bogie import AxleBoxArm
 from vehicles.soundness import require_inside, require_sound
 from vehicles.traction.effort import TractionEquipment
 
 BODY_KINDS = ("car_body", "bogie_frame", "bolster", "side_frame", "motor", "wheelset")
-_ON_AN_AXLE = (
-    AxleBox,
-    AxleBoxPad,
-    Rod,
-    BumpStop,
-)  # couplings in which the spin of a wheelset as body B has no influence
 
 
 @dataclass(frozen=True)
@@ -144,11 +139,14 @@ class Vehicle:
         if self.drives and [drive.wheelset for drive in self.drives] != [w.body for w in self.wheelsets]:
             raise ValueError(f"vehicle {self.name}: its drives must be one for each wheelset, in their order")
         for c in self.couplings:
-            if c.body_a in spinning or (c.body_b in spinning and not isinstance(c, _ON_AN_AXLE)):
-                allowed = ", ".join(kind.__name__ for kind in _ON_AN_AXLE)
+            if c.body_a in spinning:
                 raise ValueError(
-                    f"vehicle {self.name}: {type(c).__name__} {c.name} would be wound up by its spinning "
-                    f"wheelset; allowed: {allowed} with the wheelset as body B"
+                    f"vehicle {self.name}: {type(c).__name__} {c.name} has the axes of its body A, which "
+                    f"would turn with the spinning wheelset {c.body_a}; make the wheelset its body B"
+                )
+            if isinstance(c, AxleBoxArm) and c.body_b not in spinning:
+                raise ValueError(
+                    f"vehicle {self.name}: axle-box arm {c.name} turns on {c.body_b}, which is no wheelset"
                 )
             end = c.point_b if isinstance(c, Rod) else c.point
             axle = self.body(c.body_b).position

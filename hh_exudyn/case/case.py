@@ -72,8 +72,9 @@ class Case(CaseTable):
     patches, or a table for friction by place, zone and slip (`hh_exudyn.case.friction`). `traction` and
     `steering` are for vehicles with drives (`hh_exudyn.case.traction`); such a vehicle without the first has
     the default table. `train` passes a force through a hauled vehicle, `brake` presses the brake shoes of one
-    that has them (`hh_exudyn.case.train`). `extension` names a function that added Exudyn items to the
-    vehicle of a run; it is written by that run.
+    that has them (`hh_exudyn.case.train`). With `free_rolling` nothing holds the speed after the start.
+    `start_m` is the arc length of the vehicle's middle at the start, on the first straight. `extension` names
+    a function that added Exudyn items to the vehicle of a run; it is written by that run.
 
     Raises
     ------
@@ -94,6 +95,8 @@ class Case(CaseTable):
     steering: SteeringCase | None = None
     train: TrainCase | None = None
     brake: BrakeCase | None = None
+    free_rolling: bool = False
+    start_m: float | None = number("m", 0, 1_000_000, None)
     extension: str | None = None
 
     if not TYPE_CHECKING:  # type checkers keep the signature made from the fields
@@ -191,6 +194,8 @@ class Case(CaseTable):
             self.train.require_through(self.described_vehicle())
         if self.brake is not None:
             self.brake.thrusts(self.described_vehicle())
+        if self.free_rolling and (self.train is not None or self.described_vehicle().drives):
+            raise ValueError("free_rolling = true: allowed without train, for a vehicle without drives")
         return self
 
     @property
@@ -294,6 +299,8 @@ class Case(CaseTable):
             normal=self.contact.normal,
             theory=self.contact.theory,
             cells=self.contact.cells,
+            material=self.contact.material,
+            smoothing=self.contact.profile_smoothing_mm / 1000,
         )
 
     def mirrored(self) -> "Case":

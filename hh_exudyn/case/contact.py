@@ -5,8 +5,9 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from hh_exudyn.case.fields import CaseTable, number
-from hh_exudyn.contact.normal.registry import NORMAL_THEORIES, check_combination
-from hh_exudyn.contact.tangential.registry import RUN_THEORIES, STRIP_THEORIES
+from hh_exudyn.contact.material import STEEL, Material
+from hh_exudyn.contact.normal.registry import NORMAL_THEORIES, check_combination, tangential_theories
+from hh_exudyn.contact.tangential.registry import RUN_THEORIES
 
 _Cells = Annotated[int, Field(ge=5, le=100)]
 
@@ -24,12 +25,12 @@ class ContactCase(CaseTable):
     39 % of critical. These figures are older than the frames of the rails (`track.course.rail_frame`) and
     coupled strips, and not measured again since.
 
-    Without a normal theory it is coupled strips, or Hertz's ellipse for a tangential theory that is made for
-    ellipses. Coupled strips lie where they lie on the wheel: they take the cells along from `cells`, not the
-    cells across. 20 cells along keep the creep forces of demo and locomotive within 0.4 % of mu N (0.14 %
-    rms) of those with 100 cells, 32 within 0.16 %; FaStrip itself is 1 % from the exact solution. With the
-    theory
-    "given" profiles, coefficients and conicity are those of the vehicle.
+    Without a normal theory it is coupled strips, or Hertz's ellipse for a tangential theory that does not
+    take them: FaStrip alone knows strips with a slip of their own. Coupled strips lie where they lie on the
+    wheel: they take the cells along from `cells`, not the cells across. 20 cells along keep the creep forces
+    of demo and locomotive within 0.4 % of mu N (0.14 % rms) of those with 100 cells, 32 within 0.16 %;
+    FaStrip itself is 1 % from the exact solution. With the theory "given" profiles, coefficients and conicity
+    are those of the vehicle.
     """
 
     normal: Literal[*NORMAL_THEORIES] = "coupled_strips"  # type: ignore[valid-type]
@@ -38,14 +39,17 @@ class ContactCase(CaseTable):
         default=(20, 16), strict=False, json_schema_extra={"allowed": "two whole numbers from 5 to 100"}
     )
     damping_s_per_m: float = number("s/m", 0, 3, 0.3)
+    young_modulus_GPa: float = number("GPa", 1, 1000, STEEL.young_modulus / 1e9)
+    poisson_ratio: float = number("-", 0, 0.5, STEEL.poisson_ratio)
+    profile_smoothing_mm: float = number("mm", 0.1, 5, 0.5)
 
     @model_validator(mode="before")
     @classmethod
     def _ellipse_for_its_theories(cls, given: Any) -> Any:
-        """Without a normal theory, tangential theories that are made for ellipses have those of Hertz."""
+        """Without a normal theory, theories that do not take coupled strips have Hertz's ellipse."""
         if isinstance(given, dict) and "normal" not in given:
             theory = given.get("theory", "fastrip")
-            if theory in RUN_THEORIES and theory not in STRIP_THEORIES:
+            if theory in RUN_THEORIES and theory not in tangential_theories("coupled_strips"):
                 return {**given, "normal": "hertz"}
         return given
 
@@ -54,11 +58,17 @@ class ContactCase(CaseTable):
         check_combination(self.normal, self.theory)
         return self
 
+    @property
+    def material(self) -> Material:
+        """Elastic constants of wheel and rail."""
+        shear_modulus = self.young_modulus_GPa * 1e9 / (2.0 * (1.0 + self.poisson_ratio))
+        return Material(shear_modulus, self.poisson_ratio)
+
 
 class IntegrationCase(CaseTable):
     """Step of the time integration and output interval of the logs."""
 
-    step_ms: float = number("ms", 0.05, 0.5, 0.4)
+    step_ms: float = number("ms", 0.05, 1, 0.4)
     output_interval_ms: float = number("ms", 0.05, 1000, 4.0)
 
     @model_validator(mode="after")

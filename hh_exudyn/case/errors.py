@@ -103,8 +103,9 @@ def _tables(annotation: Any) -> list[type[BaseModel]]:
 
 def _ways(annotation: Any) -> list[str]:
     """The tags of a type with several forms, such as a number or a table."""
-    parts = [part for way in get_args(annotation) for part in get_args(way)]
-    return [part.tag for part in parts if isinstance(part, Tag)]
+    if isinstance(annotation, Tag):
+        return [annotation.tag]
+    return [tag for part in get_args(annotation) for tag in _ways(part)]
 
 
 def _tag(table: type[BaseModel]) -> str | None:

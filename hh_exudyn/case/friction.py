@@ -18,10 +18,10 @@ track with other values::
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Annotated, Self, TypeVar
+from typing import Annotated, Any, Self, TypeVar
 
 import numpy as np
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import AfterValidator, Discriminator, Field, Tag, model_validator
 
 from hh_exudyn.case.errors import closest
 from hh_exudyn.case.fields import CaseTable, number
@@ -101,15 +101,31 @@ class FrictionSectionCase(BothRailsCase):
     start_m: float = number("m", 0, 1_000_000)
 
 
+class FallingCase(CaseTable):
+    """Falling friction mu(v) = mu(0) ((1 - ratio) exp(-decrease v) + ratio) (`track.friction.Falling`)."""
+
+    ratio: float = number("-", 0, 1)
+    decrease_s_per_m: float = number("s/m", 0, 10)
+
+
+def _name_or_table(value: Any) -> str:
+    return "table" if isinstance(value, dict | FallingCase) else "name"
+
+
+_AnyFalling = Annotated[
+    Annotated[_Falling, Tag("name")] | Annotated[FallingCase, Tag("table")], Discriminator(_name_or_table)
+]
+
+
 class FrictionCase(BothRailsCase):
     """Friction by place on the track, zone of the wheel and slip speed.
 
-    `falling`: a characteristic of `track.friction.known`, from the coefficients at rest downwards; without it
-    friction does not depend on slip. `lubricated_wheelsets` have the treatment `lubrication` everywhere. One
-    section changes into the next over `ramp_m`.
+    `falling`: a characteristic of `track.friction.known`, or a table of its two numbers, from the
+    coefficients at rest downwards; without it friction does not depend on slip. `lubricated_wheelsets` have
+    the treatment `lubrication` everywhere. One section changes into the next over `ramp_m`.
     """
 
-    falling: _Falling | None = None
+    falling: _AnyFalling | None = None
     lubricated_wheelsets: tuple[int, ...] = Field((), strict=False, json_schema_extra={"allowed": _WHEELSETS})
     lubrication: _Treatment = "flange_lubrication"
     ramp_m: float = number("m", 0.1, 100, 2.0)
@@ -147,7 +163,7 @@ class FrictionCase(BothRailsCase):
             tuple(
                 FrictionSection(start, _zones(left), _zones(right)) for start, left, right in self._places()
             ),
-            Falling() if self.falling is None else falling(self.falling),
+            _falling(self.falling),
             self.ramp_m,
         )
 
@@ -208,6 +224,13 @@ class FrictionCase(BothRailsCase):
         return [
             (self.lubrication,) if w in self.lubricated_wheelsets else () for w in range(1, wheelsets + 1)
         ]
+
+
+def _falling(said: str | FallingCase | None) -> Falling:
+    """The characteristic of a name or of its numbers."""
+    if isinstance(said, FallingCase):
+        return Falling(said.ratio, said.decrease_s_per_m)
+    return Falling() if said is None else falling(said)
 
 
 def _treatments(said: Sequence[SurfaceCase]) -> tuple[str, ...]:

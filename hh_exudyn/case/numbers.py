@@ -41,7 +41,7 @@ def _friction(table: FrictionCase) -> list[Parameter]:
     surfaces: list[SurfaceCase | None] = []
     for place in (table, *table.sections):
         surfaces += [place, place.left, place.right]
-    names = [("falling", table.falling)] if table.falling is not None else []
+    names = [("falling", table.falling)] if isinstance(table.falling, str) else []
     if table.lubricated_wheelsets:
         names.append(("treatment", table.lubrication))
     for surface in surfaces:

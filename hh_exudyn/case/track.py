@@ -49,7 +49,10 @@ class TrackCase(CaseTable):
     `nominal_gauge_mm` is the gauge of sections that state none, what recorded gauges are counted from, and,
     65 mm wider, the base of all cants. Gauges are measured as the least distance of the rails down to
     `gauge_depth_mm` below their tops (EN 13848-1; 15.875 mm in North America). The running plane turns about
-    the track's centre line or its low rail (`cant_about`).
+    the track's centre line or its low rail (`cant_about`). On a cant ramp every rail has the slope at which
+    it rises or falls; without `cant_ramp_slope` it is taken as parallel to the centre line there, as by
+    programs that see a cross-section of the track at each wheelset (SIMPACK): a comparison with one needs it,
+    no railway does.
 
     `irregularity` is ``"none"``, a spectrum (`track.irregularity.spectra.spectrum_names`) for a
     random track by `irregularity_seed` with wavelengths from `irregularity_shortest_m` to 70 m, or a
@@ -67,6 +70,7 @@ class TrackCase(CaseTable):
     nominal_gauge_mm: float = number("mm", *NOMINAL_GAUGES_MM, NOMINAL_GAUGE * 1000)
     gauge_depth_mm: float = number("mm", 5, 20, GAUGE_MEASURING_DEPTH * 1000)
     cant_about: Literal["centre", "low_rail"] = "centre"
+    cant_ramp_slope: bool = True
     irregularity: str = SMOOTH
     irregularity_seed: int = number("-", 0, 2**31 - 1, 1)
     irregularity_shortest_m: float = number("m", 0.5, 25, 3.0)

@@ -139,7 +139,7 @@ def _irregularity(case: "Case", alignment: "Alignment") -> "Irregularity | None"
     from vehicles.start import start_front
 
     with inputs.refused_as_bad_input():
-        return case.track.irregular(start_front(case.described_vehicle()), alignment.length)
+        return case.track.irregular(start_front(case.described_vehicle(), case.start_m), alignment.length)
 
 
 def _quality(irregular: "Irregularity | None", end: float, speed: float) -> "tuple[TrackQuality | None, str]":

@@ -1,15 +1,16 @@
 """The forces of one contact patch: normal contact, creepages, creep forces (kernel).
 
-Hertz's ellipse or the strips of `non_elliptic` give normal force and patch from the approach, the creepages
-come from the rigid-body velocity of the wheel's material at the contact point relative to the rail,
+An ellipse (`hertz`, `equivalent_elastic`) or the strips of `non_elliptic` give normal force and patch, the
+creepages come from the rigid-body velocity of the wheel's material at the contact point relative to the rail,
 `friction` the coefficient for this patch at its slip, `tangential` the creep forces.
 
 The slip speed on which friction falls is that of the patch as a whole (creepages times speed, Polach's w):
 neither the spin, of which the slip cancels about the middle, nor adhesion within the patch counts.
 
-The contact point of an ellipse is the point of deepest interpenetration, that of a patch of strips its centre
-of pressure; the patch is plane. Forces act at the contact point on the undeformed wheel (half an approach,
-some 0.05 mm, from where the deformed surfaces meet: without influence on any moment).
+The contact point of Hertz's ellipse is the point of deepest interpenetration, that of `equivalent_elastic`
+the centroid of the overlap, that of a patch of strips its centre of pressure; the patch is plane. Forces act
+at the contact point on the undeformed wheel (half an approach, some 0.05 mm, from where the deformed surfaces
+meet: without influence on any moment).
 """
 
 import math
@@ -30,9 +31,10 @@ from hh_exudyn.contact.geometry.search import (
     Y_WHEEL,
 )
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair
+from hh_exudyn.contact.normal.equivalent_elastic import hertz_of_ellipse
 from hh_exudyn.contact.normal.hertz import CURVATURE_FLOOR, normal_contact
 from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
-from hh_exudyn.contact.normal.registry import HERTZ
+from hh_exudyn.contact.normal.registry import EQUIVALENT_ELASTIC, HERTZ, is_elliptic
 from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.contact.state import Patch, write_patch
 from hh_exudyn.contact.tangential.registry import GIVEN, force_kernel, strips_kernel
@@ -90,6 +92,7 @@ def add_patch(
         Place of the record among those of the wheel, from 0.
     """
     floored = 0.5 * (contact[WHEEL_CURVATURE] + contact[RAIL_CURVATURE]) < CURVATURE_FLOOR
+    floored = floored and model.normal != EQUIVALENT_ELASTIC  # whose width is that of the overlap
     elastic, max_pressure, a, b = _normal_forces(model, pair, contact, strips)
     side = 0 if pair.side > 0.0 else 1
     along = model.rails_left if side == 0 else model.rails_right
@@ -114,7 +117,7 @@ def add_patch(
     rolling = RollingPatch(a, b, normal, nu_x, nu_y, phi, friction, model.shear_modulus, model.poisson_ratio)
     if model.theory == GIVEN:
         force_x, force_y, moment_z = -model.given.longitudinal * nu_x, -model.given.lateral * nu_y, 0.0
-    elif model.normal == HERTZ:
+    elif is_elliptic(model.normal):
         force_x, force_y, moment_z = force_kernel(model.theory, rolling, model.cells_x, model.cells_y)
     else:
         force_x, force_y, moment_z = strips_kernel(model.theory, strips, rolling, model.cells_x)
@@ -149,6 +152,8 @@ def _normal_forces(
             model.shear_modulus,
             model.poisson_ratio,
         )
+    elif model.normal == EQUIVALENT_ELASTIC:
+        elastic, a, b, max_pressure = hertz_of_ellipse(contact, model.shear_modulus, model.poisson_ratio)
     else:
         low = minimum(model.normal, pair, contact, model.shear_modulus, model.poisson_ratio)
         elastic, max_pressure, a, b, _ = patch_strips(pair, contact, low, contact[STIFFNESS], strips)

@@ -17,7 +17,7 @@ from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MAXIMA, STIFF
 from hh_exudyn.contact.geometry.silhouette import WheelRailPair, silhouette
 from hh_exudyn.contact.normal.neighbours import find_patches
 from hh_exudyn.contact.normal.non_elliptic import minimum, patch_strips
-from hh_exudyn.contact.normal.registry import COUPLED_STRIPS, HERTZ
+from hh_exudyn.contact.normal.registry import COUPLED_STRIPS, is_elliptic
 from hh_exudyn.contact.profiles.spline import spline_evaluate
 from hh_exudyn.contact.strips.rebuilt import LoggedPatch, LoggedPose, logged_pair, rebuilt_rows
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
@@ -145,7 +145,7 @@ def patch_shape(model: WheelRailModel, state: State, strips: int = 50) -> PatchS
     if model.normal == COUPLED_STRIPS:
         return _coupled_shape(model, state)
     rows = np.zeros((strips, STRIP_COLUMNS))
-    if model.normal == HERTZ:
+    if is_elliptic(model.normal):
         a, b = state.a, state.b
         lateral = -1.0 + (2.0 * np.arange(strips) + 1.0) / strips
         rows[:, Y], rows[:, WIDTH] = b * lateral, 2.0 * b / strips

@@ -21,8 +21,15 @@ from hh_exudyn.contact.geometry.rail_tables import RAIL_ROOM, RailCourse, rail_i
 from hh_exudyn.contact.geometry.search import CONTACT_COLUMNS, MAX_MAXIMA, find_contacts
 from hh_exudyn.contact.geometry.silhouette import wheel_rail_pair
 from hh_exudyn.contact.material import STEEL, Material
+from hh_exudyn.contact.normal.equivalent_elastic import find_regions
 from hh_exudyn.contact.normal.neighbours import find_patches
-from hh_exudyn.contact.normal.registry import COUPLED_STRIPS, HERTZ, NORMAL_THEORIES, check_combination
+from hh_exudyn.contact.normal.registry import (
+    COUPLED_STRIPS,
+    EQUIVALENT_ELASTIC,
+    HERTZ,
+    NORMAL_THEORIES,
+    check_combination,
+)
 from hh_exudyn.contact.patch_forces import add_patch
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.profiles.spline import spline_table
@@ -211,6 +218,8 @@ def wheel_rail_forces(
                 count = 0
             elif model.normal == HERTZ:
                 count = find_contacts(pair, contacts)
+            elif model.normal == EQUIVALENT_ELASTIC:
+                count = find_regions(pair, contacts)
             else:
                 count = find_patches(
                     model.normal, pair, contacts, model.shear_modulus, model.poisson_ratio, strips

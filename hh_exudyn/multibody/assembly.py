@@ -41,7 +41,7 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         in radius.
     """
     alignment = case.alignment()
-    _require_straight_start(vehicle, alignment, case.track.alignment_key)
+    _require_straight_start(vehicle, alignment, case.track.alignment_key, case.start_m)
     numbers = {body.name: i for i, body in enumerate(vehicle.bodies)}
     flexible = case.track.flexible
     # rigid track has an unused parameter set too, so that the kernel has the same types
@@ -53,11 +53,13 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         weight=np.array([body.weight for body in vehicle.bodies]),
         inertia=np.array([body.inertia for body in vehicle.bodies]),
         couplings=_couplings(vehicle, numbers),
+        start=start_middle(vehicle, case.start_m),
         wheelsets=np.array([numbers[wheelset.body] for wheelset in vehicle.wheelsets]),
         wheel_rail=case.contact_model(vehicle),
         friction=case.friction_table(len(vehicle.wheelsets)),
         alignment=alignment.table,
         irregularity=_irregularity(vehicle, case, alignment),
+        cant_ramp_slope=case.track.cant_ramp_slope,
         flexible=flexible,
         track=flexibility.parameters(),
         shortest_transition=shortest_transition(case.speed, case.integration.step_ms * 1e-3),
@@ -79,9 +81,9 @@ def shortest_transition(speed: float, step: float) -> float:
     return max(SHORTEST_TRANSITION, speed * step / LARGEST_LAG_RATE)
 
 
-def _require_straight_start(vehicle: Vehicle, alignment: Alignment, key: str) -> None:
+def _require_straight_start(vehicle: Vehicle, alignment: Alignment, key: str, place: float | None) -> None:
     """Raise ValueError unless the track under the vehicle at the start is straight and of one gradient."""
-    front = start_front(vehicle)
+    front = start_front(vehicle, place)
     first = f"track.{key}: the first {front:.1f} m"
     _, _, _, heading, _, roll, _, _ = inclined_frame(alignment.table, front)
     if abs(heading) > 1e-6 or abs(roll) > 1e-6:
@@ -99,7 +101,7 @@ def _require_straight_start(vehicle: Vehicle, alignment: Alignment, key: str) ->
 
 def _irregularity(vehicle: Vehicle, case: Case, alignment: Alignment) -> IrregularityTable:
     """Irregularities ahead of the vehicle's start; the track under it there is smooth."""
-    irregular = case.track.irregular(start_front(vehicle), alignment.length)
+    irregular = case.track.irregular(start_front(vehicle, case.start_m), alignment.length)
     if irregular is None:
         return smooth_track()
     irregular.check_spacing(case.speed, case.integration.step_ms * 1e-3)
@@ -120,12 +122,25 @@ def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
     return Train(
         bodies=np.array([numbers[body] for body in points.values()], dtype=np.int64),
         heads=heads - np.array([vehicle.body(body).position for body in points.values()]),
-        start=start_middle(vehicle) + heads[:, 0],
+        start=start_middle(vehicle, case.start_m) + heads[:, 0],
         stiffness=0.0 if uncoupled else coupler.stiffness,
         damping=0.0 if uncoupled else coupler.damping,
         speed=case.speed,
         through=draft * np.sign(heads[:, 0]),
     )
+
+
+def released(model: SystemModel, case: Case) -> SystemModel:
+    """The model of the run, after the equilibrium: without its train where the case rolls freely.
+
+    Parameters
+    ----------
+    model : as assembled
+    case : says whether the vehicle rolls freely
+    """
+    if not case.free_rolling:
+        return model
+    return model._replace(train=model.train._replace(stiffness=0.0, damping=0.0))
 
 
 def _drives(vehicle: Vehicle, numbers: dict[str, int]) -> Drives:
@@ -158,12 +173,14 @@ def _couplings(vehicle: Vehicle, numbers: dict[str, int]) -> Couplings:
     arms_a = [np.array(end) - positions[c.body_a] for (end, _), c in zip(ends, couplings, strict=True)]
     arms_b = [np.array(end) - positions[c.body_b] for (_, end), c in zip(ends, couplings, strict=True)]
     kind, records = packed(couplings, FAMILIES)
+    spinning = {wheelset.body for wheelset in vehicle.wheelsets}
     return Couplings(
         kind=kind,
         body_a=np.array([numbers[coupling.body_a] for coupling in couplings], dtype=np.int64),
         body_b=np.array([numbers[coupling.body_b] for coupling in couplings], dtype=np.int64),
         point_a=np.array(arms_a).reshape(-1, 3),  # a vehicle may have no couplings at all
         point_b=np.array(arms_b).reshape(-1, 3),
+        on_axle=np.array([coupling.body_b in spinning for coupling in couplings], dtype=np.int64),
         numbers=records,
     )
 

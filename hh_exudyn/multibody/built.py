@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import exudyn as exu
 
 from hh_exudyn.case import Case
-from hh_exudyn.multibody.assembly import assemble
+from hh_exudyn.multibody.assembly import assemble, released
 from hh_exudyn.multibody.control import vehicle_control
 from hh_exudyn.multibody.extended_rest import start_of_run
 from hh_exudyn.multibody.extension import Extension
@@ -58,7 +58,7 @@ def build(case: Case, *, vehicle: Vehicle | None = None, extend: Extension | Non
     model = assemble(runs, case)
     work = workspace(model)
     control = vehicle_control(case, runs, model, work)
-    integration = Integration(case, runs, model, work, control, extend, placed=True)
+    integration = Integration(case, runs, released(model, case), work, control, extend, placed=True)
     integration.begin(*start_of_run(case, runs, model, work, extend), case.alignment().length)
     system = integration.whole_system()
     return BuiltSystem(**vars(system), integration=integration)

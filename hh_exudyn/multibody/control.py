@@ -21,7 +21,7 @@ from track.course.alignment import inclined_frame
 from track.course.types import AlignmentTable
 from vehicles.couplings import AxleBoxPad
 from vehicles.description import Vehicle
-from vehicles.start import start_front, start_middle
+from vehicles.start import start_front
 from vehicles.traction.control import Actuators, Controller, Measurement
 from vehicles.traction.driver import DrivenUnit, Driver
 from vehicles.traction.memory import memory_of, put_back
@@ -65,7 +65,7 @@ class VehicleControl:
             yaw=np.zeros(self._radius.size),
             stiffness=np.ones(self._radius.size),
         )
-        self.front = start_front(vehicle)
+        self.front = start_front(vehicle, case.start_m)
         self._origin = driver.train_place
         self._boxes = _axle_boxes(vehicle)
 
@@ -197,7 +197,7 @@ def vehicle_control(
         coupler_stiffness=vehicle.coupler.stiffness,
     )
     head = float(work.inputs.train_start[0])
-    grade = math.sin(-inclined_frame(model.alignment, start_middle(vehicle))[4])
+    grade = math.sin(-inclined_frame(model.alignment, model.start)[4])
     driver = Driver(unit, train, traction.orders(case.speed), case.speed, head, grade)
     work.inputs.train_start[0] = driver.train_place
     controllers: list[Controller] = [driver]

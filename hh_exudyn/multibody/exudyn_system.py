@@ -90,7 +90,7 @@ class ExudynSystem:
         ----------
         point : on the drawing [m]
         """
-        return _place(self.vehicle, self.model, point)
+        return _place(self.model, point)
 
     def make_light(self, body: str, share: float) -> None:
         """Leave a body a share of its mass and inertia, where Exudyn's items on its node have the rest.
@@ -120,8 +120,8 @@ class ExudynSystem:
         return self.vehicle.body(name)
 
 
-def _place(vehicle: Vehicle, model: SystemModel, point: Vector) -> FloatArray:
-    origin, axes = drawn_frame(vehicle, model.alignment)
+def _place(model: SystemModel, point: Vector) -> FloatArray:
+    origin, axes = drawn_frame(model)
     result: FloatArray = origin + axes @ np.array(point)
     return result
 
@@ -155,7 +155,7 @@ def exudyn_system(
     for i, body in enumerate(vehicle.bodies):
         k = slice(BODY_COORDINATES * i, BODY_COORDINATES * (i + 1))
         if placed:
-            reference[k][:3] = _place(vehicle, model, body.position)
+            reference[k][:3] = _place(model, body.position)
         node = mbs.AddNode(
             NodeRigidBodyRotVecLG(
                 referenceCoordinates=list(reference[k]),

@@ -61,6 +61,7 @@ class Couplings(NamedTuple):
     body_b: IntArray  # (n,)
     point_a: FloatArray  # (n, 3) in the axes of body A from its centre of mass [m]
     point_b: FloatArray  # (n, 3) of body B
+    on_axle: IntArray  # (n,) 1 where body B is a wheelset, else 0
     numbers: Any  # (n,) numbers of its family by name, in the field of the family's name
 
 
@@ -100,11 +101,13 @@ class SystemModel(NamedTuple):
     weight: FloatArray  # (bodies,) [N]
     inertia: FloatArray  # (bodies, 3) [kg m^2]
     couplings: Couplings
+    start: float  # arc length of the vehicle's middle at the start [m]
     wheelsets: IntArray  # (wheelsets,) body numbers
     wheel_rail: WheelRailModel
     friction: FrictionTable
     alignment: AlignmentTable
     irregularity: IrregularityTable
+    cant_ramp_slope: bool  # whether rails rise and fall with a cant ramp, or lie along the centre line
     flexible: bool
     track: TrackParameters
     shortest_transition: float  # of the creepage, a lower bound of the semi-axis a [m]

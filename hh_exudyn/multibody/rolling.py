@@ -25,9 +25,7 @@ from hh_exudyn.multibody.model import (
 )
 from hh_exudyn.multibody.system import evaluate_bundle
 from track.course.alignment import inclined_frame, inclined_rotation
-from track.course.types import AlignmentTable
 from vehicles.description import Vehicle
-from vehicles.start import start_middle
 
 LENGTH_SCALE = 1e-3  # m and rad, of the displacements from the drawing to the equilibrium
 _HEIGHT_RANGE = 5e-3  # m, range of heights to search: profiles and track height differ by less
@@ -48,15 +46,14 @@ class Snapshot(NamedTuple):
     torque: FloatArray  # `Inputs.drive_torque`
 
 
-def drawn_frame(vehicle: Vehicle, alignment: AlignmentTable) -> tuple[FloatArray, FloatArray]:
+def drawn_frame(model: SystemModel) -> tuple[FloatArray, FloatArray]:
     """Place of the drawing's origin in the global frame at the start of a run [m], and its axes as columns.
 
     Parameters
     ----------
-    vehicle : its middle is read
-    alignment : a straight of one gradient under the vehicle
+    model : its start is read, on a straight of one gradient
     """
-    *origin, _, pitch, _, _, _ = inclined_frame(alignment, start_middle(vehicle))
+    *origin, _, pitch, _, _, _ = inclined_frame(model.alignment, model.start)
     turn = np.empty((3, 3))
     inclined_rotation(0.0, pitch, 0.0, turn)
     return np.array(origin), turn
@@ -91,7 +88,7 @@ class RollingVehicle:
         self.sliders = np.zeros_like(work.new_sliders)
         self.driven = work.inputs.drive_torque.size > 0
         self.weight = float(model.weight.sum())
-        middle = start_middle(vehicle)
+        middle = model.start
         for i, wheelset in enumerate(vehicle.wheelsets):
             work.arc_length[i] = middle + vehicle.body(wheelset.body).position[0]
         work.arc_length[len(vehicle.wheelsets) :] = work.inputs.train_start
@@ -167,7 +164,7 @@ class RollingVehicle:
         vehicle, model = self.vehicle, self.model
         self.q, self.v = np.zeros(coordinates(model)), np.zeros(coordinates(model))
         track = _DEFLECTION_GUESS if model.flexible else 0.0
-        origin, turn = drawn_frame(vehicle, model.alignment)
+        origin, turn = drawn_frame(model)
         pitch = inclined_frame(model.alignment, middle)[4]
         speed = model.train.speed / math.cos(pitch)  # the train's is in plan
         self.along = turn[:, 0].copy()

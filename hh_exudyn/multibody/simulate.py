@@ -17,7 +17,7 @@ from hh_exudyn.log.store import (
     write_inputs,
     write_status,
 )
-from hh_exudyn.multibody.assembly import assemble
+from hh_exudyn.multibody.assembly import assemble, released
 from hh_exudyn.multibody.checkpoint import read_checkpoint
 from hh_exudyn.multibody.control import vehicle_control
 from hh_exudyn.multibody.extended_rest import start_of_run
@@ -95,7 +95,7 @@ def simulate(
     model = assemble(runs, case)
     work = workspace(model)
     control = vehicle_control(case, runs, model, work)
-    integration = Integration(case, runs, model, work, control, extend)
+    integration = Integration(case, runs, released(model, case), work, control, extend)
     status: dict[str, Any] = {"finished": False, "reason": "running"}
     if stored is None:
         if progress is not None:

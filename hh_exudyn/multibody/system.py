@@ -56,7 +56,7 @@ def evaluate(
     for k in range(work.ledger.size):
         work.ledger[k] = 0.0
     _body_states(model, work, q, v)
-    coupling_forces(model.couplings, sliders, settle, work)
+    coupling_forces(model.couplings, sliders, settle, work, time)
     _train_forces(model, work, time)
     _drive_torques(model, work)
     brake_forces(model.brakes, work, time)
@@ -201,6 +201,8 @@ def _wheelset_states(model: SystemModel, work: Workspace, q: FloatArray, v: Floa
             row[1] = local[1]
             row[2] = local[2]
         turn = track_turn(model.alignment, s, pitch, roll)
+        if not model.cant_ramp_slope:
+            turn = TrackTurn(turn.ahead, 0.0, turn.pitch, turn.yaw, turn.gauge)
         _rail_states(model, work, q, v, w, turn, gauge, settle)
         _creep_lags(model, work, v, w)
 

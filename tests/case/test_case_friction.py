@@ -115,6 +115,12 @@ def test_changes(demo: Case, varied: Case) -> None:
     assert (steady.friction_table(4).friction == varied.friction_table(4).friction).all()
 
 
+def test_falling_by_its_own_two_numbers(demo: Case, varied: Case) -> None:
+    own = varied.with_changes(friction={"falling": {"ratio": 0.25, "decrease_s_per_m": 0.5}})
+    assert (own.friction_table(4).ratio, own.friction_table(4).decrease) == (0.25, 0.5)
+    assert Case.from_toml(own.to_toml()) == own
+
+
 FAULTS = {  # table: parts of the message
     "nothing": ("[friction]\n", ["friction: climate is missing: allowed very_humid,", "cold_dry; or tread"]),
     "one rail": ('[friction.left]\nclimate = "dry"', ["friction: climate is missing", "cold_dry"]),
@@ -137,6 +143,10 @@ FAULTS = {  # table: parts of the message
     "falling": (
         '[friction]\nclimate = "dry"\nfalling = "polach"',
         ['friction.falling = "polach": allowed polach_dry, polach_wet'],
+    ),
+    "own falling": (
+        '[friction]\nclimate = "dry"\nfalling = { ratio = 1.4, decrease_s_per_m = 0.5 }',
+        ["friction.falling.ratio = 1.4: allowed 0 to 1"],
     ),
     "lubrication": (
         '[friction]\nclimate = "dry"\nlubrication = "oil"',

@@ -35,7 +35,7 @@ def random_state(n: int, seed: int) -> State:
     return state
 
 
-@pytest.mark.parametrize("normal", ["hertz", "analyn", "kik_piotrowski"])
+@pytest.mark.parametrize("normal", ["hertz", "analyn", "kik_piotrowski", "equivalent_elastic"])
 def test_mirrored_states_give_mirrored_forces(normal: str) -> None:
     n = 60
     state = random_state(n, 1)

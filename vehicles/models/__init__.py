@@ -8,12 +8,13 @@
 `suspended_wheelset`   reference: the smallest model that hunts, with its closed form
 `cooperrider`          reference: Cooperrider's bogie
 `manchester`           reference: vehicle 1 of the Manchester benchmarks
+`gz18`                 reference: passenger vehicle of which SIMPACK's response is published
 =====================  ===============================================================================
 
 A new vehicle is a file here that ends in its record, its numbers in ``vehicles/data``, and a line here.
 """
 
-from vehicles.models import cooperrider, locomotive, manchester, suspended_wheelset, wagon
+from vehicles.models import cooperrider, gz18, locomotive, manchester, suspended_wheelset, wagon
 from vehicles.record import VehicleRecord
 
 RECORDS: tuple[VehicleRecord, ...] = (
@@ -21,5 +22,6 @@ RECORDS: tuple[VehicleRecord, ...] = (
     suspended_wheelset.RECORD,
     cooperrider.RECORD,
     manchester.RECORD,
+    gz18.RECORD,
     locomotive.RECORD,
 )

@@ -55,7 +55,9 @@ LIMIT_HIGH = 15
 STIFFNESS = 16  # of its pressure where it is cut, else 0: see `non_elliptic.patch_strips`
 FORCE = 17  # normal force [N] and that beyond a cut over its distance [N/m]: working memory of `neighbours`
 BEYOND = 18
-CONTACT_COLUMNS = 19
+SEMI_AXIS_A = 19  # in rolling direction and lateral, where the overlap gives them [m]: `equivalent_elastic`
+SEMI_AXIS_B = 20
+CONTACT_COLUMNS = 21
 
 MAX_MAXIMA = 12  # of one wheel, in the rows of the working memory; standard profiles have up to 4
 _PARTS = 16  # of an interval in which more zeros may lie: a maximum that is missed stands out by 1 nm

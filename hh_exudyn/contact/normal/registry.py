@@ -18,6 +18,7 @@ HERTZ = 0
 ANALYN = 1
 KIK_PIOTROWSKI = 2
 COUPLED_STRIPS = 3
+EQUIVALENT_ELASTIC = 4
 
 
 class NormalTheory(NamedTuple):
@@ -27,6 +28,7 @@ class NormalTheory(NamedTuple):
     name: str
     meaning: str  # with its source
     makes_strips: bool = True  # whether its patches are made of strips, or ellipses
+    only: tuple[str, ...] = ()  # tangential theories that know its strips; empty: all that take strips
 
 
 NORMAL = (
@@ -34,10 +36,17 @@ NORMAL = (
         COUPLED_STRIPS,
         "coupled_strips",
         "strips along the profile that press on each other (`hh_exudyn.contact.strips`)",
+        only=("fastrip",),  # each strip has its own slip
     ),
     NormalTheory(HERTZ, "hertz", "the ellipse of Hertz", makes_strips=False),
     NormalTheory(ANALYN, "analyn", "Hertz strip by strip: Sichani, Enblom and Berg 2014"),
     NormalTheory(KIK_PIOTROWSKI, "kik_piotrowski", "virtual interpenetration: Kik and Piotrowski 1996"),
+    NormalTheory(
+        EQUIVALENT_ELASTIC,
+        "equivalent_elastic",
+        "one ellipse of equal area for each region of overlap, as SIMPACK's of that name",
+        makes_strips=False,
+    ),
 )
 NORMAL_THEORIES: dict[str, int] = {theory.name: theory.number for theory in NORMAL}
 
@@ -53,13 +62,32 @@ def check_combination(normal: str, theory: str) -> None:
     Raises
     ------
     ValueError
-        For strips under a theory that is made for ellipses.
+        For strips under a theory that does not take them.
     """
-    if theory not in STRIP_THEORIES and any(known.makes_strips for known in NORMAL if known.name == normal):
-        wanted = " or ".join(repr(name) for name in STRIP_THEORIES)
+    wanted = tangential_theories(normal)
+    if wanted and theory not in wanted:
+        names = " or ".join(repr(name) for name in wanted)
         raise ValueError(
-            f"theory = {theory!r} is made for ellipses; the patches of normal = {normal!r} need {wanted}"
+            f"theory = {theory!r} does not take the patches of normal = {normal!r}, which need {names}"
         )
+
+
+def tangential_theories(normal: str) -> tuple[str, ...]:
+    """The tangential theories that take the patches of a normal one; empty where every theory does.
+
+    Parameters
+    ----------
+    normal : str
+        Name of a normal theory.
+    """
+    record = next(known for known in NORMAL if known.name == normal)
+    return (record.only or STRIP_THEORIES) if record.makes_strips else ()
+
+
+@inlined_kernel
+def is_elliptic(normal: int) -> bool:
+    """Whether a theory makes ellipses, not strips."""
+    return normal in (HERTZ, EQUIVALENT_ELASTIC)
 
 
 @inlined_kernel

@@ -46,25 +46,23 @@ from hh_exudyn.contact.tangential.strips import (
     KAPPA,
     LAMBDA,
     LANES,
+    NO_STRIPS,
     PART,
     PRESSURE,
     PRIME,
     SHAPE,
     STATE_SIZE,
-    STRIP_COLUMNS,
     SUM_M,
     SUM_X,
     SUM_Y,
     WIDTH,
     Y,
-    load_ellipse,
-    load_strips,
+    load_block,
     scale_slip,
 )
 from hh_exudyn.contact.types import Fields, Memory, RollingPatch, Triple
 from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
 
-_NO_STRIPS = np.zeros((0, STRIP_COLUMNS))  # of an ellipse: it is cut into even strips
 _TINY = 1e-300  # prevents 0/0; far below every square that occurs [-]
 _XI, _ELLIPSE, _WORK, _POWER = 0, 1, 2, 3  # rows of a table over the cells of a strip
 _TABLE_ROWS, _CELLS = 4, 64
@@ -144,17 +142,6 @@ def cell_weight(cells_x: int) -> float:
     return 1.0 / (2.0 * total + cells_x % 2)  # the middle cell of an odd number
 
 
-@inlined_kernel
-def _load(
-    patch: RollingPatch, strips: FloatArray, elliptic: bool, span: tuple[int, int, int], state: Memory
-) -> int:
-    """Put the rows (first, how many, of all) into a block: of the strips, or of an ellipse in even ones."""
-    first, number, count = span
-    if elliptic:
-        return load_ellipse(patch, first, number, count, state)
-    return load_strips(strips, first, number, state)
-
-
 @kernel
 def _force(
     patch: RollingPatch, strips: FloatArray, elliptic: bool, count: int, cells_x: int
@@ -166,7 +153,7 @@ def _force(
     force_x, force_y, moment_z, total = 0.0, 0.0, 0.0, 0.0
     for first in range(0, count, BLOCK):
         number = min(count - first, BLOCK)
-        groups = _load(patch, strips, elliptic, (first, number, count), state)
+        groups = load_block(patch, strips, elliptic, (first, number, count), state)
         x, y, m, load = _block_force(groups, rolling, cells_x, weight, state)
         force_x, force_y, moment_z, total = force_x + x, force_y + y, moment_z + m, total + load
     if total <= 0.0:
@@ -211,7 +198,7 @@ def force(patch: RollingPatch, cells_x: int, cells_y: int) -> tuple[float, float
     cells_x, cells_y : int
         Cells along each strip, and strips.
     """
-    return _force(patch, _NO_STRIPS, True, cells_y, cells_x)
+    return _force(patch, NO_STRIPS, True, cells_y, cells_x)
 
 
 @kernel
@@ -332,7 +319,7 @@ def _fields(patch: RollingPatch, strips: FloatArray, elliptic: bool, count: int,
     work, power = 0.0, 0.0
     for first in range(0, count, BLOCK):
         number = min(count - first, BLOCK)
-        groups = _load(patch, strips, elliptic, (first, number, count), state)
+        groups = load_block(patch, strips, elliptic, (first, number, count), state)
         prepare(groups, rolling, cells_x, state)
         s, slip = shaped(state, SHAPE), shaped(slips, (BLOCK, SLIP_COLUMNS))
         for row in range(number):
@@ -375,4 +362,4 @@ def field(patch: RollingPatch, fields: Fields) -> None:
         Arrays (ny, nx) of the grid of `tangential.api`: pressure and tractions [Pa], slip over V [-];
         result.
     """
-    _fields(patch, _NO_STRIPS, True, fields.pressure.shape[0], fields)
+    _fields(patch, NO_STRIPS, True, fields.pressure.shape[0], fields)

@@ -15,6 +15,7 @@ import math
 
 import numpy as np
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.normal.hertz import peak_pressure
 from hh_exudyn.contact.tangential.fastsim_march import (
     begin,
@@ -31,6 +32,7 @@ from hh_exudyn.contact.tangential.strips import (
     FIRST,
     HALF_LENGTH,
     LANES,
+    NO_STRIPS,
     PRESSURE,
     Q_X,
     Q_Y,
@@ -43,7 +45,9 @@ from hh_exudyn.contact.tangential.strips import (
     SUM_Y,
     W_X,
     W_Y,
+    WIDTH,
     Y,
+    load_block,
     load_ellipse,
     scale_slip,
 )
@@ -106,6 +110,24 @@ def _bound(node: float, elliptic: bool) -> float:
 
 
 @kernel
+def force_on_strips(
+    strips: FloatArray, patch: RollingPatch, single: bool, elliptic: bool, cells_x: int
+) -> tuple[float, float, float]:
+    """Creep forces and spin moment of a patch of any shape (kernel: trusts its input, allocates nothing).
+
+    Parameters
+    ----------
+    strips : FloatArray
+        (n, 4) the patch, see `strips`; its pressure is scaled to carry the normal force.
+    patch : RollingPatch
+        Load, creepages and the equivalent ellipse, of which the flexibilities are.
+    single, elliptic, cells_x
+        As of `force`.
+    """
+    return _force(patch, strips, False, single, elliptic, strips.shape[0], cells_x)
+
+
+@kernel
 def force(
     patch: RollingPatch, single: bool, elliptic: bool, cells_x: int, cells_y: int
 ) -> tuple[float, float, float]:
@@ -127,6 +149,20 @@ def force(
     tuple of float
         F_x [N], F_y [N], M_z [N m].
     """
+    return _force(patch, NO_STRIPS, True, single, elliptic, cells_y, cells_x)
+
+
+@kernel
+def _force(
+    patch: RollingPatch,
+    strips: FloatArray,
+    even: bool,
+    single: bool,
+    elliptic: bool,
+    cells_y: int,
+    cells_x: int,
+) -> tuple[float, float, float]:
+    """Forces of `cells_y` strips: those given, or even ones of the ellipse."""
     w_x, w_y, spin, _ = _flexible(patch, single)
     state = memory(STATE_SIZE)
     s = shaped(state, SHAPE)
@@ -134,7 +170,7 @@ def force(
     force_x, force_y, moment_z, total, bounds = 0.0, 0.0, 0.0, 0.0, 0.0
     for first in range(0, cells_y, BLOCK):
         count = min(cells_y - first, BLOCK)
-        groups = load_ellipse(patch, first, count, cells_y, state)
+        groups = load_block(patch, strips, even, (first, count, cells_y), state)
         _prepare(patch, groups, w_x, w_y, spin, elliptic, cells_x, state)
         bounds = 0.0
         for cell in range(cells_x - 1):
@@ -162,12 +198,12 @@ def force(
         for g in range(groups):
             for lane in range(LANES):
                 y, length, pressure = s[Y, g, lane], s[HALF_LENGTH, g, lane], s[PRESSURE, g, lane]
-                weight = length * (pressure if elliptic else pressure * pressure)
+                weight = s[WIDTH, g, lane] * length * (pressure if elliptic else pressure * pressure)
                 force_x += weight * s[SUM_X, g, lane]
                 force_y += weight * s[SUM_Y, g, lane]
                 moment_z += weight * (length * s[SUM_M, g, lane] - y * s[SUM_X, g, lane])
                 total += weight
-    if bounds == 0.0:  # a single cell has no node within the patch
+    if bounds == 0.0 or total == 0.0:  # a single cell has no node within the patch; strips without load
         return 0.0, 0.0, 0.0
     scale = patch.friction * patch.normal_force / (total * bounds)
     return force_x * scale, force_y * scale, moment_z * scale

@@ -61,9 +61,19 @@ TANGENTIAL = (
         in_runs=False,
     ),
     Theory(STRIP, "strip", "strip theory, Haines and Ollerton 1963, Kalker 1967; no b/a, no large spin"),
-    Theory(FASTSIM, "fastsim", "FASTSIM, Kalker 1982, three flexibilities"),
-    Theory(FASTSIM_SINGLE, "fastsim_single", "FASTSIM, Kalker 1982, one weighted flexibility"),
-    Theory(FASTSIM_ELLIPTIC, "fastsim_elliptic", "FASTSIM, three flexibilities, Hertz's pressure"),
+    Theory(FASTSIM, "fastsim", "FASTSIM, Kalker 1982, three flexibilities", takes_strips=True),
+    Theory(
+        FASTSIM_SINGLE,
+        "fastsim_single",
+        "FASTSIM, Kalker 1982, one weighted flexibility",
+        takes_strips=True,
+    ),
+    Theory(
+        FASTSIM_ELLIPTIC,
+        "fastsim_elliptic",
+        "FASTSIM, three flexibilities, Hertz's pressure",
+        takes_strips=True,
+    ),
     Theory(FASTRIP, "fastrip", "FaStrip, Sichani, Enblom and Berg 2016", takes_strips=True),
     Theory(
         POLACH,
@@ -181,12 +191,16 @@ def strips_kernel(theory: int, strips: FloatArray, patch: RollingPatch, cells_x:
     Returns
     -------
     tuple of float
-        F_x [N], F_y [N], M_z [N m]; zero without friction.
+        F_x [N], F_y [N], M_z [N m]; zero without friction or creepage.
     """
-    if not patch.friction > 0.0:
+    if not solvable(patch):
         return 0.0, 0.0, 0.0
     if theory == FASTRIP:
         return fastrip.force_on_strips(strips, strips.shape[0], patch, cells_x)
+    if theory in (FASTSIM, FASTSIM_SINGLE, FASTSIM_ELLIPTIC):
+        return fastsim.force_on_strips(
+            strips, patch, theory == FASTSIM_SINGLE, theory == FASTSIM_ELLIPTIC, cells_x
+        )
     return math.nan, math.nan, math.nan
 
 

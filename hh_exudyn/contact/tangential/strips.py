@@ -14,6 +14,8 @@ the compiler makes vector instructions of them.
 
 import math
 
+import numpy as np
+
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.normal.hertz import peak_pressure
 from hh_exudyn.contact.types import Memory, RollingPatch
@@ -34,6 +36,7 @@ LANES = 8  # strips of one vector: eight doubles fill the widest registers
 GROUPS = 8
 BLOCK = LANES * GROUPS  # strips of one block
 SHAPE = (ROWS, GROUPS, LANES)
+NO_STRIPS = np.zeros((0, STRIP_COLUMNS))  # of an ellipse: it is cut into even strips
 STATE_SIZE = ROWS * BLOCK
 
 
@@ -101,6 +104,31 @@ def load_strips(strips: FloatArray, first: int, count: int, state: Memory) -> in
             s[HALF_LENGTH, g, lane] = strips[first + row, HALF_LENGTH] if exists else 0.0
             s[PRESSURE, g, lane] = strips[first + row, PRESSURE] if exists else 1.0
     return groups
+
+
+@inlined_kernel
+def load_block(
+    patch: RollingPatch, strips: FloatArray, even: bool, span: tuple[int, int, int], state: Memory
+) -> int:
+    """Put the rows (first, how many, of all) into a block: of the strips, or of an ellipse in even ones.
+
+    Parameters
+    ----------
+    patch : RollingPatch
+        The ellipse.
+    strips : FloatArray
+        (n, STRIP_COLUMNS); not read where they are even.
+    even : bool
+        Whether the ellipse is cut into even strips.
+    span : tuple of int
+        First row, number of rows, number of all strips.
+    state : memory
+        Of the block.
+    """
+    first, number, count = span
+    if even:
+        return load_ellipse(patch, first, number, count, state)
+    return load_strips(strips, first, number, state)
 
 
 @kernel

@@ -1,26 +1,38 @@
 """All couplings of a vehicle in one kernel: relative motion, force law, forces and torques on both bodies.
 
 A coupling's displacement is that of its point on body B relative to body A, in the axes of A; force and
-moment act on B there, and their opposites on A at the same place, so that no coupling generates energy.
+moment act on B there, and their opposites on A at the same place, so that no coupling generates energy. On a
+wheelset stands an axle box: it does not spin, and its bearings pass no moment about the axle.
 """
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import inlined_kernel
-from hh_exudyn.multibody.couplings import general, three_piece_bogie
-from hh_exudyn.multibody.couplings.family import Condition, Family, Motion, matrix, one_law
+from hh_exudyn.multibody.couplings import general, passenger_bogie, three_piece_bogie
+from hh_exudyn.multibody.couplings.family import (
+    Condition,
+    Family,
+    Motion,
+    matrix,
+    one_law,
+    spin_free,
+    without,
+)
 from hh_exudyn.multibody.model import SLIDERS, Couplings, Ledger, Workspace
 from hh_exudyn.multibody.vectors import add_to, cross, rotate, rotate_back, triple
 
 FAMILIES: tuple[Family, ...] = (
     *general.FAMILIES,
     *three_piece_bogie.FAMILIES,
+    *passenger_bogie.FAMILIES,
 )
 
 _law = one_law(FAMILIES)
 
 
 @inlined_kernel
-def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, work: Workspace) -> None:
+def coupling_forces(
+    couplings: Couplings, sliders: FloatArray, settle: bool, work: Workspace, time: float = 0.0
+) -> None:
     """Add the forces of all couplings to `work.force` and `work.torque`; fill `work.new_sliders`.
 
     Parameters
@@ -30,6 +42,7 @@ def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, wor
     settle : for the static equilibrium: wedges have no vertical friction, and all other friction elements
         stick under any load, so that the slider of one unloaded during the search remains in the middle
     work : positions, rotations and velocities of the bodies are read, and the inputs
+    time : of the evaluation [s]
     """
     inputs = work.inputs
     for i in range(couplings.kind.size):
@@ -63,17 +76,22 @@ def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, wor
             work.angular_velocity[b, 1] - work.angular_velocity[a, 1],
             work.angular_velocity[b, 2] - work.angular_velocity[a, 2],
         )
+        rotation_b = matrix(work.rotation[b])
+        axle = (work.rotation[b, 0, 1], work.rotation[b, 1, 1], work.rotation[b, 2, 1])
+        if couplings.on_axle[i]:
+            rotation_b, turn = spin_free(work.rotation[b], rotation_a), without(turn, axle)
         before = sliders[i]
         reaction = _law(
             couplings.kind[i],
             couplings.numbers[i],
-            Motion(displacement, rate, turn, matrix(rotation_a), matrix(work.rotation[b])),
+            Motion(displacement, rate, turn, matrix(rotation_a), rotation_b),
             Condition(
                 (before[0], before[1], before[2], before[3]),
                 settle,
                 inputs.coupling_stiffness[i],
                 work.ledger[Ledger.FRICTION_POWER],
                 work.ledger[Ledger.DAMPER_POWER],
+                time,
             ),
         )
         work.ledger[Ledger.FRICTION_POWER] = reaction.friction_power
@@ -82,6 +100,8 @@ def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, wor
             work.new_sliders[i, k] = reaction.slider[k]
         force = rotate(rotation_a, reaction.force)
         moment = rotate(rotation_a, reaction.moment)
+        if couplings.on_axle[i]:
+            moment = without(moment, axle)
         add_to(work.force[b], force, 1.0)
         add_to(work.force[a], force, -1.0)
         add_to(work.torque[b], cross(arm_b, force), 1.0)

@@ -5,6 +5,7 @@ array of another length: ``Annotated[FloatArray, length]``), filled from the des
 same names. A kernel finds them by name in a record (``p.stiffness[0]``) at the cost of an array element.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple, get_type_hints
 
@@ -12,7 +13,7 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.kernel import inlined_kernel
-from hh_exudyn.multibody.vectors import Triple, triple
+from hh_exudyn.multibody.vectors import Triple, cross, dot, triple
 from vehicles.couplings import Vector
 
 Matrix = tuple[Triple, Triple, Triple]
@@ -27,17 +28,18 @@ class Motion(NamedTuple):
     rate: Triple  # velocity in the axes of A [m/s]
     turn: Triple  # angular velocity in global axes [rad/s]
     rotation_a: Matrix  # of body A, to global axes
-    rotation_b: Matrix  # of body B
+    rotation_b: Matrix  # of body B; of a wheelset without its spin, see `spin_free`
 
 
 class Condition(NamedTuple):
     """State and inputs of one coupling, and the ledger of the couplings before it."""
 
-    slider: Sliders  # of the last accepted step [m] or [rad]
+    slider: Sliders  # of the last accepted step [m] or [rad]; a law may keep other states there
     settle: bool  # for the equilibrium: friction sticks under any load, wedges have none vertically
     stiffness: float  # factor on the longitudinal stiffness, set by a controller
     friction_power: float  # of all couplings before this one [W]
     damper_power: float  # [W]
+    time: float = 0.0  # of the evaluation [s]
 
 
 class Reaction(NamedTuple):
@@ -167,6 +169,35 @@ def matrix(rotation: FloatArray) -> Matrix:
     rotation : (3, 3)
     """
     return triple(rotation[0]), triple(rotation[1]), triple(rotation[2])
+
+
+@inlined_kernel
+def spin_free(rotation_b: FloatArray, rotation_a: FloatArray) -> Matrix:
+    """The axes of an axle box that stands on a wheelset: y along its axle, x level with body A.
+
+    Parameters
+    ----------
+    rotation_b : (3, 3) of the wheelset, to global axes
+    rotation_a : (3, 3) of the body that holds the axle box from pitching
+    """
+    axle = (rotation_b[0, 1], rotation_b[1, 1], rotation_b[2, 1])
+    ahead = cross(axle, (rotation_a[0, 2], rotation_a[1, 2], rotation_a[2, 2]))
+    size = math.sqrt(dot(ahead, ahead))
+    ahead = (ahead[0] / size, ahead[1] / size, ahead[2] / size)
+    up = cross(ahead, axle)
+    return (ahead[0], axle[0], up[0]), (ahead[1], axle[1], up[1]), (ahead[2], axle[2], up[2])
+
+
+@inlined_kernel
+def without(vector: Triple, axle: Triple) -> Triple:
+    """A vector less its part along an axle, that bearings do not pass on.
+
+    Parameters
+    ----------
+    vector, axle : in the same axes; the axle of length 1
+    """
+    along = dot(vector, axle)
+    return vector[0] - along * axle[0], vector[1] - along * axle[1], vector[2] - along * axle[2]
 
 
 @inlined_kernel

@@ -29,6 +29,7 @@ class PadNumbers(NamedTuple):
     damping: Vector
     roll_stiffness: float
     yaw_stiffness: float
+    preload: Vector
 
 
 @inlined_kernel
@@ -43,9 +44,9 @@ def pad(p: PadNumbers, motion: Motion, condition: Condition) -> Reaction:
     axle = axle_of(motion)
     return Reaction(
         (
-            -stiffness * d[0] - p.damping[0] * v[0],
-            -p.stiffness[1] * d[1] - p.damping[1] * v[1],
-            -p.stiffness[2] * d[2] - p.damping[2] * v[2],
+            p.preload[0] - stiffness * d[0] - p.damping[0] * v[0],
+            p.preload[1] - p.stiffness[1] * d[1] - p.damping[1] * v[1],
+            p.preload[2] - p.stiffness[2] * d[2] - p.damping[2] * v[2],
         ),
         (-p.roll_stiffness * axle[2], 0.0, p.yaw_stiffness * axle[0]),
         condition.slider,
@@ -178,6 +179,7 @@ class RodNumbers(NamedTuple):
     length: float
     stiffness: float
     damping: float
+    preload: float
 
 
 @inlined_kernel
@@ -189,7 +191,7 @@ def rod(p: RodNumbers, motion: Motion, condition: Condition) -> Reaction:
     d, v = motion.displacement, motion.rate
     length = math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
     rate = (d[0] * v[0] + d[1] * v[1] + d[2] * v[2]) / length
-    pull = (p.stiffness * (length - p.length) + p.damping * rate) / length
+    pull = (p.preload + p.stiffness * (length - p.length) + p.damping * rate) / length
     return Reaction(
         (-pull * d[0], -pull * d[1], -pull * d[2]),
         (0.0, 0.0, 0.0),

@@ -84,8 +84,8 @@ KEYS = [  # table, key, value, part of the line
     ("contact", "cells", "[32.5, 16]", "contact.cells[0] = 32.5: allowed two whole numbers"),
     ("contact", "damping_s_per_m", "-1", "contact.damping_s_per_m = -1 s/m: allowed 0 to 3 s/m"),
     ("contact", "damping_s_per_m", "nan", "contact.damping_s_per_m = nan s/m: allowed 0 to 3 s/m"),
-    ("integration", "step_ms", "0", "integration.step_ms = 0 ms: allowed 0.05 to 0.5 ms"),
-    ("integration", "step_ms", '"0.4"', 'integration.step_ms = "0.4": allowed 0.05 to 0.5 ms'),
+    ("integration", "step_ms", "0", "integration.step_ms = 0 ms: allowed 0.05 to 1 ms"),
+    ("integration", "step_ms", '"0.4"', 'integration.step_ms = "0.4": allowed 0.05 to 1 ms'),
     ("integration", "output_interval_ms", "0.5", "allowed whole multiples of step_ms = 0.4 ms"),
     ("integration", "output_interval_ms", "1e9", "allowed 0.05 to 1000 ms"),
 ]

@@ -14,7 +14,7 @@ from vehicles.couplings import AxleBox, AxleBoxPad, CentrePlate, SideBearer, Spr
 
 def linear_pads():
     """The wagon on pads alone, with the numbers of its axle boxes."""
-    names = [field.name for field in fields(AxleBoxPad)]
+    names = [field.name for field in fields(AxleBoxPad) if field.name != "preload"]
     boxes = [c for c in WAGON.couplings if isinstance(c, AxleBox)]
     pads = tuple(AxleBoxPad(**{name: getattr(box, name) for name in names}) for box in boxes)
     return replace(WAGON, couplings=pads)

@@ -210,8 +210,8 @@ def test_nonsense_is_refused(kind, changes, message):
 @pytest.mark.parametrize(
     ("coupling", "message"),
     [
-        (replace(BUSHING, body_b="wheelset_1"), "Bushing bushing would be wound up"),
-        (replace(ROD, body_a="wheelset_1"), "with the wheelset as body B"),
+        (replace(BUSHING, body_b="wheelset_1"), "axle's centre line"),
+        (replace(ROD, body_a="wheelset_1"), "make the wheelset its body B"),
         (replace(ROD, body_b="wheelset_1"), "axle's centre line"),
     ],
 )
