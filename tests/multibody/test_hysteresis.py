@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from coupling_bench import WAGON, first
 
+from hh_exudyn.multibody.couplings.three_piece_bogie import RING_RADIUS
 from hh_exudyn.multibody.hysteresis import X, Y, bogie_loops
 from vehicles.couplings import AxleBox, CentrePlate, SideBearer, SpringNest, Wedge
 
@@ -51,11 +52,11 @@ def test_loops_of_sliding_faces_in_closed_form(loops):
     box, plate, bearer = first(AxleBox), first(CentrePlate), first(SideBearer)
     on_box = sum(body.mass for body in WAGON.bodies if body.kind != "wheelset") * 9.81 / 8
     car_body = WAGON.body("car_body").mass * 9.81 / 2
-    arm = 2 / 3 * plate.radius
+    arm = RING_RADIUS.mean() * plate.radius
     for title, bound, stiffness in (
         ("axle box, longitudinal", box.friction * on_box, box.stiffness[X]),
         ("axle box, lateral", box.friction * on_box, box.stiffness[Y]),
-        ("centre plate, yaw", plate.friction * car_body * arm, plate.stick_stiffness * arm**2),
+        ("centre plate, yaw", plate.friction * car_body * arm, plate.yaw_stiffness),
         ("centre plate, longitudinal", plate.friction * car_body, plate.stick_stiffness),
         ("side bearer, longitudinal", bearer.friction * bearer.preload, bearer.stick_stiffness),
     ):
@@ -80,25 +81,43 @@ def test_axle_box_stops_at_the_pedestal(loops):
         assert np.abs(loop.force).max() == pytest.approx(most, rel=1e-3)
 
 
-def test_wedges_resist_warp_up_to_their_friction(loops):
-    """Stiff while they stick; then each line slides, one down and one up, and all across their columns.
+def sliding_warp_moment(wedge, spring, ahead):
+    """Moment [N m] against the warp of one wedge that slides on both faces, by virtual work.
 
-    By virtual work: the moment is what friction takes per angle. A line of contact slides by s = (v, l) per
-    angle, v along the column by half the width over tan(slope), l across it by the wedge's place ahead of the
-    bolster; its column force is that of the friction's vertical part, F/2 / (tan -+ mu v/|s|).
+    It is what friction takes per angle. A line of contact slides on the column by s = (v, l) per angle, v
+    along it and l across it by the wedge's place ahead of the bolster, and on the slope by c. One line is
+    squeezed, the other let up.
     """
+    towards, _ = wedge.ways
+    along, on_slope = wedge.width / 2 * np.array(towards[:2])
+    slip = np.hypot(along, ahead)
+    moment, angle = 0.0, wedge.slope - wedge.toe
+    for way in (1, -1):
+        column = wedge.normal_force(spring / 2, way * along / slip, way)
+        down = way * wedge.friction * column * along / slip
+        slope = (spring / 2 * np.cos(wedge.toe) + down) / (
+            np.sin(angle) - way * wedge.slope_friction * np.cos(angle)
+        )
+        moment += wedge.friction * column * slip + wedge.slope_friction * slope * on_slope
+    return moment
+
+
+def test_wedges_resist_warp_up_to_their_friction(loops):
+    """Stiff while they stick, then by the friction of both faces: several times that of the columns alone."""
     loop, wedge = loops["wedges of a side, warp"], first(Wedge)
     sunk = loops["wedge, vertical"].displacement.mean()
-    down = 1 / (1 - np.tan(wedge.toe) / np.tan(wedge.slope))
-    force = wedge.spring_share * wedge.spring_stiffness * (wedge.compression + sunk * down)
-    along = wedge.width / 2 / (np.tan(wedge.slope) - np.tan(wedge.toe)) / np.cos(wedge.toe)
-    slip = np.hypot(along, abs(wedge.point[0] - WAGON.body("bolster_1").position[0]))
-    part = wedge.friction * along / slip
-    normal = force / 2 * (1 / (wedge.tan_slope - part) + 1 / (wedge.tan_slope + part))
+    force = wedge.spring_stiffness * (wedge.compression + sunk * wedge.ways[1][2])
+    ahead = abs(wedge.point[0] - WAGON.body("bolster_1").position[0])
     up = np.gradient(loop.displacement) > 0.0
     at_zero = np.interp(0.0, loop.displacement[up], loop.force[up])
-    assert at_zero == pytest.approx(2 * wedge.friction * normal * slip, rel=0.02)
+    most = sliding_warp_moment(wedge, force, ahead)
+    assert at_zero == pytest.approx(2 * most, rel=0.02)
+    assert most > 2.0 * sliding_warp_moment(replace(wedge, slope_friction=0.0), force, ahead)
     reversal = int(np.argmax(loop.displacement))
     flank = slice(reversal + 1, reversal + 50)
     stiffness = (np.diff(loop.force[flank]) / np.diff(loop.displacement[flank])).mean()
+    towards, _ = wedge.ways
+    lines = (wedge.width / 2) ** 2 * (towards[0] ** 2 + towards[1] ** 2) + ahead**2
+    springs = wedge.spring_stiffness * (wedge.width / 2 * towards[2]) ** 2
+    assert stiffness == pytest.approx(2 * (wedge.stick_stiffness * lines + springs), rel=0.01)
     assert stiffness > 20 * first(SpringNest).warp_stiffness

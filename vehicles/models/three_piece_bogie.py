@@ -149,6 +149,7 @@ def _wedge(p: ParameterSet, side_frame: str, bolster: str, point: Vector, end: i
         direction=end,
         slope=math.radians(p["wedge.slope"]),
         toe=math.radians(p["wedge.toe"]),
+        constant_damping=p["wedge.constant_damping"] != 0.0,
     )
 
 

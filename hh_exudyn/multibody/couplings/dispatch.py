@@ -69,7 +69,7 @@ def coupling_forces(couplings: Couplings, sliders: FloatArray, settle: bool, wor
             couplings.numbers[i],
             Motion(displacement, rate, turn, matrix(rotation_a), matrix(work.rotation[b])),
             Condition(
-                (before[0], before[1], before[2], before[3]),
+                (before[0], before[1], before[2], before[3], before[4], before[5]),
                 settle,
                 inputs.coupling_stiffness[i],
                 work.ledger[Ledger.FRICTION_POWER],
