@@ -9,11 +9,12 @@ from importlib.resources import files
 
 from hh_exudyn.case import Case
 from hh_exudyn.figures.hysteresis import Panel, friction_loops
-from hh_exudyn.multibody.hysteresis import ROLL, bogie_loops
+from hh_exudyn.multibody.hysteresis import ROLL, bogie_loops, warp_loop
 from vehicles.catalogue import vehicle
 
 case = Case.from_toml(files("hh_exudyn").joinpath("data/demo.toml").read_text(encoding="utf-8"))
-loops = bogie_loops(vehicle(case.vehicle), case)
+wagon = vehicle(case.vehicle)
+loops = (*bogie_loops(wagon, case), warp_loop(wagon, case))
 for loop in loops:
     print(f"{loop.title:30s} {loop.area:8.1f} J around the loop, {loop.dissipated:8.1f} J dissipated")
 if len(sys.argv) > 1:

@@ -144,19 +144,22 @@ class Vehicle:
         if self.drives and [drive.wheelset for drive in self.drives] != [w.body for w in self.wheelsets]:
             raise ValueError(f"vehicle {self.name}: its drives must be one for each wheelset, in their order")
         for c in self.couplings:
-            if c.body_a in spinning or (c.body_b in spinning and not isinstance(c, _ON_AN_AXLE)):
+            on_a, on_b = c.body_a in spinning, c.body_b in spinning
+            if (on_a and not isinstance(c, Rod)) or (on_b and not isinstance(c, _ON_AN_AXLE)):
                 allowed = ", ".join(kind.__name__ for kind in _ON_AN_AXLE)
                 raise ValueError(
                     f"vehicle {self.name}: {type(c).__name__} {c.name} would be wound up by its spinning "
-                    f"wheelset; allowed: {allowed} with the wheelset as body B"
+                    f"wheelset; allowed: {allowed} with the wheelset as body B, Rod also as body A"
                 )
-            end = c.point_b if isinstance(c, Rod) else c.point
-            axle = self.body(c.body_b).position
-            if c.body_b in spinning and math.hypot(end[0] - axle[0], end[2] - axle[2]) > 1e-6:
-                raise ValueError(
-                    f"vehicle {self.name}: {type(c).__name__} {c.name} is fixed to its spinning wheelset at "
-                    f"{end} m; it must be on the axle's centre line, x = {axle[0]:g} m, z = {axle[2]:g} m"
-                )
+            ends = (c.point_a, c.point_b) if isinstance(c, Rod) else (c.point, c.point)
+            for body, end in zip((c.body_a, c.body_b), ends, strict=True):
+                axle = self.body(body).position
+                if body in spinning and math.hypot(end[0] - axle[0], end[2] - axle[2]) > 1e-6:
+                    raise ValueError(
+                        f"vehicle {self.name}: {type(c).__name__} {c.name} is fixed to its spinning wheelset "
+                        f"at {end} m; it must be on the axle's centre line, x = {axle[0]:g} m, "
+                        f"z = {axle[2]:g} m"
+                    )
         for shoe in self.shoes:
             if shoe.wheelset not in spinning or shoe.carrier in spinning:
                 raise ValueError(

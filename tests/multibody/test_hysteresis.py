@@ -7,8 +7,9 @@ import pytest
 from coupling_bench import WAGON, first
 
 from hh_exudyn.multibody.couplings.three_piece_bogie import RING_RADIUS
-from hh_exudyn.multibody.hysteresis import X, Y, bogie_loops
-from vehicles.couplings import AxleBox, CentrePlate, SideBearer, SpringNest, Wedge
+from hh_exudyn.multibody.hysteresis import X, Y, bogie_loops, warp_loop
+from vehicles.couplings import AxleBox, CentrePlate, Rod, SideBearer, SpringNest, Wedge
+from vehicles.variants import variant_of_table
 
 PLAIN = replace(
     WAGON,
@@ -121,3 +122,77 @@ def test_wedges_resist_warp_up_to_their_friction(loops):
     springs = wedge.spring_stiffness * (wedge.width / 2 * towards[2]) ** 2
     assert stiffness == pytest.approx(2 * (wedge.stick_stiffness * lines + springs), rel=0.01)
     assert stiffness > 20 * first(SpringNest).warp_stiffness
+
+
+def variant(**changes):
+    return variant_of_table({"name": "other", "base": "iore_wagon_loaded", **changes}, "test").vehicle()
+
+
+def stiffness_after_turning_back(loop, share=0.02):
+    """Slope of a loop on the first `share` of its way back [N m/rad]."""
+    k = int(np.argmax(loop.displacement))
+    back = slice(k + 1, k + 1 + int(share * len(loop.displacement)))
+    return np.polyfit(loop.displacement[back], loop.force[back], 1)[0]
+
+
+def test_warp_of_the_bogie(demo):
+    """Stuck it has MN m/rad; sliding it holds more than the centre plate and the side bearers can turn.
+
+    Plate and bearers, 14 and 8 kN m, are what a curve can put on a bolster: a bogie that holds more is not
+    pulled askew by them. The columns' friction alone holds less, and that bogie lozenges. The order of
+    magnitude of braced bogies, 2..5 MN m/rad, is from memory: no published figure could be read.
+    """
+    plate, bearer = first(CentrePlate), first(SideBearer)
+    turning = plate.friction * WAGON.body("car_body").mass * 9.81 / 2 * plate.radius * RING_RADIUS.mean()
+    turning += 2 * bearer.friction * bearer.preload * bearer.point[1]
+    held = {}
+    for friction in (0.0, 0.1, 0.2, 0.3):
+        loop = warp_loop(variant(wedge={"slope_friction": friction}), demo)
+        assert loop.dissipated == pytest.approx(loop.area, rel=0.01)
+        up = np.gradient(loop.displacement) > 0.0
+        held[friction] = np.interp(0.0, loop.displacement[up], loop.force[up])
+        stuck = stiffness_after_turning_back(loop)
+        assert 5e6 < stuck < 20e6
+    assert held[0.0] < turning < held[0.2] < held[0.3]
+    assert held[0.1] > 1.5 * held[0.0]
+
+
+def test_lugs_stop_the_warp(demo):
+    """Beyond the rotation clearance both side frames stand on their lugs."""
+    nest = first(SpringNest)
+    loop = warp_loop(WAGON, demo, 0.025)
+    beyond = loop.displacement > 1.3 * nest.rotation_clearance
+    up = np.gradient(loop.displacement) > 0.0
+    slope = np.polyfit(loop.displacement[beyond & up], loop.force[beyond & up], 1)[0]
+    coils = 2 * nest.warp_stiffness + 4 * first(AxleBox).yaw_stiffness
+    assert slope == pytest.approx(2 * nest.rotation_stop_stiffness + coils, rel=0.1)
+
+
+@pytest.mark.parametrize("part", ["frame_brace", "cross_brace"])
+def test_braces_square_the_bogie(demo, part):
+    """Two crossed rods of stiffness k add 2 k times the square of their elongation per angle."""
+    braced = variant(**{part: {"stiffness": 10e6, "damping": 0.0}})
+    rods = [c for c in braced.couplings if isinstance(c, Rod)]
+    assert len(rods) == 4  # in either bogie
+    reach, lateral = (np.subtract(rods[0].point_b, rods[0].point_a) / 2)[:2]
+    per_angle = 2 * reach * 2 * abs(lateral) / rods[0].length
+    plain, stiff = warp_loop(WAGON, demo), warp_loop(braced, demo)
+    top = int(np.argmax(plain.displacement))
+    added = stiff.force[top] - plain.force[top]
+    assert added / plain.displacement[top] == pytest.approx(2 * 10e6 * per_angle**2, rel=0.01)
+    assert stiff.area == pytest.approx(plain.area, rel=1e-3)
+
+
+def test_ride_control_damps_as_much_empty_as_loaded(demo):
+    """Control springs in the bolster keep their preload: the same friction under any load."""
+    spring = {"constant_damping": 1.0, "preload": 16.4e3, "spring_stiffness": 344e3, "toe": 0.0}
+    for name in ("loaded", "empty"):
+        state = {"name": "other", "base": f"iore_wagon_{name}", "wedge": spring}
+        vehicle = variant_of_table(state, "test").vehicle()
+        loop = {loop.title: loop for loop in bogie_loops(vehicle, demo)}["wedge, vertical"]
+        wedge = next(c for c in vehicle.couplings if isinstance(c, Wedge))
+        bound = [0.3 * wedge.normal_force(16.4e3, motion) for motion in (1, -1)]
+        assert (loop.force.max(), loop.force.min()) == pytest.approx((bound[0], -bound[1]), rel=1e-6)
+        assert loop.dissipated == pytest.approx(loop.area, rel=0.01)
+    with pytest.raises(ValueError, match=r"constant_damping 0\.5 must be 1"):
+        variant(wedge={"constant_damping": 0.5})
