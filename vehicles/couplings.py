@@ -9,6 +9,8 @@ import math
 from dataclasses import dataclass
 from itertools import pairwise
 
+from vehicles.freight_couplings import DoubleLink, LenoirSuspension
+
 Vector = tuple[float, float, float]
 
 LARGEST_TABLE = 10  # most points of a bump stop, the size of the table in the force kernel
@@ -183,7 +185,7 @@ class CentrePlate:
     The rings stand for uniform pressure: at the places of two-point Gauss integration over the radius, each
     with half the contacts' stiffness. The plate tips over its outer ring, and its friction has the arm of
     the loads that stand on the rings. One bound of dry friction holds it against shear and yaw together;
-    the rim limits the shear.
+    the rim limits the shear. A spherical bowl has the same friction and tilts without a moment.
     """
 
     name: str
@@ -200,6 +202,7 @@ class CentrePlate:
     yaw_damping: float  # [N m s/rad]
     rim_clearance: float  # [m]
     rim_stiffness: float  # [N/m]
+    spherical: bool = False  # a bowl, which tilts freely
 
 
 @dataclass(frozen=True)
@@ -318,4 +321,16 @@ class BumpStop:
             )
 
 
-Coupling = AxleBoxPad | AxleBox | SpringNest | Wedge | CentrePlate | SideBearer | Bushing | Rod | BumpStop
+Coupling = (
+    AxleBoxPad
+    | AxleBox
+    | SpringNest
+    | Wedge
+    | CentrePlate
+    | SideBearer
+    | Bushing
+    | Rod
+    | BumpStop
+    | LenoirSuspension
+    | DoubleLink
+)

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from hh_exudyn.conventions import GRAVITY
 from vehicles.couplings import AxleBox, AxleBoxPad, BumpStop, Coupling, Rod, Vector
+from vehicles.freight_couplings import DoubleLink, LenoirSuspension
 from vehicles.soundness import require_inside, require_sound
 from vehicles.traction.effort import TractionEquipment
 
@@ -18,6 +19,8 @@ _ON_AN_AXLE = (
     AxleBoxPad,
     Rod,
     BumpStop,
+    LenoirSuspension,
+    DoubleLink,
 )  # couplings in which the spin of a wheelset as body B has no influence
 
 

@@ -201,6 +201,7 @@ def _centre_plate(p: ParameterSet, bolster: str, car_body: str, point: Vector) -
         point=point,
         stiffness=p["centre_plate.vertical_stiffness"],
         damping=p["centre_plate.vertical_damping"],
+        spherical=p["centre_plate.spherical"] == 1.0,
     )
 
 

@@ -5,6 +5,7 @@
 `dispatch`            the table `FAMILIES`, and all couplings of a vehicle in one kernel
 `general`             pads, axle boxes, bushings, rods, bump stops
 `three_piece_bogie`   spring nests, wedges, centre plates, side bearers
+`freight`             Lenoir suspension (Y25), UIC double link
 ====================  ==================================================================================
 
 A new coupling is a description in `vehicles.couplings`, a file here with its numbers and its law, and one

@@ -6,7 +6,7 @@ moment act on B there, and their opposites on A at the same place, so that no co
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import inlined_kernel
-from hh_exudyn.multibody.couplings import general, three_piece_bogie
+from hh_exudyn.multibody.couplings import freight, general, three_piece_bogie
 from hh_exudyn.multibody.couplings.family import Condition, Family, Motion, matrix, one_law
 from hh_exudyn.multibody.model import SLIDERS, Couplings, Ledger, Workspace
 from hh_exudyn.multibody.vectors import add_to, cross, rotate, rotate_back, triple
@@ -14,6 +14,7 @@ from hh_exudyn.multibody.vectors import add_to, cross, rotate, rotate_back, trip
 FAMILIES: tuple[Family, ...] = (
     *general.FAMILIES,
     *three_piece_bogie.FAMILIES,
+    *freight.FAMILIES,
 )
 
 _law = one_law(FAMILIES)

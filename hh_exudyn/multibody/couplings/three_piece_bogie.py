@@ -197,6 +197,7 @@ class PlateNumbers(NamedTuple):
     yaw_damping: float
     rim_clearance: float
     rim_stiffness: float
+    spherical: float  # 1 or 0
 
 
 @inlined_kernel
@@ -212,13 +213,14 @@ def plate(p: PlateNumbers, motion: Motion, condition: Condition) -> Reaction:
     d, v, angle, turn = motion.displacement, motion.rate, angle_of(motion), turn_of(motion)
     slider, power = condition.slider, condition.damper_power
     stiffness, damping = p.stiffness / RING_X.size, p.damping / RING_X.size
+    reach = 0.0 if p.spherical > 0.5 else p.radius  # of the contacts, in tilting
     load = 0.0
     arm = 0.0
     moment_x = 0.0
     moment_y = 0.0
     for k in range(RING_X.size):
-        x = p.radius * RING_X[k]
-        y = p.radius * RING_Y[k]
+        x = reach * RING_X[k]
+        y = reach * RING_Y[k]
         compression = -(d[2] + angle[0] * y - angle[1] * x)
         if compression > 0.0:
             compression_rate = -(v[2] + turn[0] * y - turn[1] * x)
