@@ -150,7 +150,7 @@ def _braces(p: ParameterSet, number: int, middle: float) -> list[Rod]:
     frame_end = (p["frame_brace.longitudinal_position"], p["frame_brace.height"])
     axle_end = (p["wheelset.wheelbase"] / 2, p["wheelset.radius"])
     lateral = p["wheelset.axle_box_half_spacing"]
-    return [
+    rods = [
         Rod(
             name=f"{part}_{number}{letter}",  # by the side of its leading end
             body_a=bodies[0],
@@ -164,9 +164,9 @@ def _braces(p: ParameterSet, number: int, middle: float) -> list[Rod]:
             ("frame_brace", frame_end, (frames, frames[::-1])),
             ("cross_brace", axle_end, (axles, axles)),
         )
-        if p[f"{part}.stiffness"] > 0.0
         for (side, letter), bodies in zip(SIDES, both, strict=True)
     ]
+    return [rod for rod in rods if rod.stiffness > 0.0]
 
 
 def _wedge(p: ParameterSet, side_frame: str, bolster: str, point: Vector, end: int) -> Wedge:
