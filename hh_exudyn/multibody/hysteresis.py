@@ -1,9 +1,10 @@
-"""Force over deflection of a three-piece bogie and its friction elements, driven slowly around closed paths.
+"""Force over deflection of bogies and their friction elements, driven slowly around closed paths.
 
 The area of a loop is the energy that its element dissipates, equal to the sum of the powers in the kernel's
 ledger.
 """
 
+import math
 from dataclasses import replace
 from typing import NamedTuple, TypeVar
 
@@ -18,6 +19,7 @@ from hh_exudyn.multibody.model import Ledger, workspace
 from hh_exudyn.multibody.vectors import rotation_matrix
 from vehicles.couplings import AxleBox, CentrePlate, Coupling, SideBearer, SpringNest, Vector, Wedge
 from vehicles.description import Vehicle
+from vehicles.freight_couplings import DoubleLink, LenoirSuspension
 from vehicles.outline import coupling_ends
 
 X, Y, Z, ROLL, PITCH, YAW = range(6)
@@ -31,7 +33,8 @@ class Loop(NamedTuple):
 
     title: str
     axis: int  # of the motion: X .. YAW
-    displacement: FloatArray  # (n,) of body B against A along the axis, DOWN for Z, from the drawing [m, rad]
+    displacement: FloatArray  # (n,) of body B against A along the axis, from the drawing [m, rad]; for Z it
+    # is the compression: down, or up if B is a wheelset
     force: FloatArray  # (n,) external force on B in equilibrium, in the same direction [N] or [N m]
     dissipated: float  # by the kernel's ledger [J]
 
@@ -73,6 +76,43 @@ def bogie_loops(vehicle: Vehicle, case: Case) -> tuple[Loop, ...]:
     return tuple(
         drive(vehicle, case, title, group, axis, _cycle(axis, middle, amplitude, fixed))
         for title, group, axis, middle, amplitude, fixed in motions
+    )
+
+
+def suspension_loops(vehicle: Vehicle, case: Case) -> tuple[Loop, ...]:
+    """The loops of the first Lenoir suspension or double link under its static load.
+
+    A Lenoir box stands on its guide, pressed by the plunger.
+
+    Parameters
+    ----------
+    vehicle : with such suspensions
+    case : any case in which the vehicle can run
+
+    Raises
+    ------
+    ValueError
+        The vehicle has neither.
+    """
+    found = [c for c in vehicle.couplings if isinstance(c, LenoirSuspension | DoubleLink)]
+    if not found:
+        raise ValueError(f"vehicle {vehicle.name} has no LenoirSuspension and no DoubleLink")
+    wheelsets = {wheelset.body for wheelset in vehicle.wheelsets}
+    load = sum(body.weight for body in vehicle.bodies if body.name not in wheelsets) / (2 * len(wheelsets))
+    c = found[0]
+    beyond = load - c.first_stiffness * c.second_from
+    up = c.second_from + beyond / c.second_stiffness if beyond > 0.0 else load / c.first_stiffness
+    ahead = 0.0
+    if isinstance(c, LenoirSuspension):
+        ahead = -c.direction * math.tan(c.link_angle) * c.link_share * load / c.guide_stiffness
+    motions = (
+        ("vertical", Z, up, 0.2 * up, {X: ahead}),
+        ("lateral", Y, 0.0, 1.2 * c.lateral_clearance, {X: ahead, Z: up}),
+        ("longitudinal", X, 0.0, 1.2 * c.longitudinal_clearance, {Z: up}),
+    )
+    return tuple(
+        drive(vehicle, case, f"{c.name}, {title}", (c,), axis, _cycle(axis, middle, amplitude, fixed))
+        for title, axis, middle, amplitude, fixed in motions
     )
 
 
@@ -181,7 +221,8 @@ def _driven(
                 moment = work.torque[b] - np.cross(arm, work.force[b])
                 forces[k] -= np.concatenate([work.force[b], moment]) @ way.mode()
             lost += (work.ledger[Ledger.FRICTION_POWER] + work.ledger[Ledger.DAMPER_POWER]) * steps[k]
-    sense = -1.0 if axis == Z else 1.0
+    wheelsets = {wheelset.body for wheelset in vehicle.wheelsets}
+    sense = -1.0 if axis == Z and not wheelsets & set(ways) else 1.0
     return Loop(title, axis, sense * path, sense * forces, float(lost))
 
 

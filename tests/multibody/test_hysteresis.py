@@ -7,7 +7,8 @@ import pytest
 from coupling_bench import WAGON, first
 
 from hh_exudyn.multibody.couplings.three_piece_bogie import RING_RADIUS
-from hh_exudyn.multibody.hysteresis import X, Y, bogie_loops, warp_loop
+from hh_exudyn.multibody.hysteresis import X, Y, bogie_loops, suspension_loops, warp_loop
+from vehicles.catalogue import vehicle
 from vehicles.couplings import AxleBox, CentrePlate, Rod, SideBearer, SpringNest, Wedge
 from vehicles.variants import variant_of_table
 
@@ -188,11 +189,29 @@ def test_ride_control_damps_as_much_empty_as_loaded(demo):
     spring = {"constant_damping": 1.0, "preload": 16.4e3, "spring_stiffness": 344e3, "toe": 0.0}
     for name in ("loaded", "empty"):
         state = {"name": "other", "base": f"iore_wagon_{name}", "wedge": spring}
-        vehicle = variant_of_table(state, "test").vehicle()
-        loop = {loop.title: loop for loop in bogie_loops(vehicle, demo)}["wedge, vertical"]
-        wedge = next(c for c in vehicle.couplings if isinstance(c, Wedge))
+        wagon = variant_of_table(state, "test").vehicle()
+        loop = {loop.title: loop for loop in bogie_loops(wagon, demo)}["wedge, vertical"]
+        wedge = next(c for c in wagon.couplings if isinstance(c, Wedge))
         bound = [0.3 * wedge.normal_force(16.4e3, motion) for motion in (1, -1)]
         assert (loop.force.max(), loop.force.min()) == pytest.approx((bound[0], -bound[1]), rel=1e-6)
         assert loop.dissipated == pytest.approx(loop.area, rel=0.01)
     with pytest.raises(ValueError, match=r"constant_damping 0\.5 must be 1"):
         variant(wedge={"constant_damping": 0.5})
+
+
+def test_loops_of_a_y25_axle_box(demo):
+    """Vertically 9 % of the load to either side, laterally as much and the coils; all in the ledger."""
+    wagon = vehicle("y25_wagon_loaded")
+    loops = suspension_loops(wagon, demo)
+    load = (wagon.mass - 4 * 1300.0) * 9.81 / 8
+    assert all(loop.dissipated == pytest.approx(loop.area, rel=0.01) for loop in loops)
+    vertical, lateral, longitudinal = loops
+    up = np.gradient(vertical.displacement) > 0.0
+    at_rest = vertical.displacement.mean()
+    going_up = np.interp(at_rest, vertical.displacement[up], vertical.force[up])
+    assert going_up == pytest.approx(1.09 * load, rel=0.01)
+    free = np.abs(lateral.displacement) < 0.005
+    assert np.ptp(lateral.force[free]) / 2 == pytest.approx(0.09 * load + 0.3e6 * 0.005, rel=0.03)
+    assert longitudinal.area > 0.0
+    with pytest.raises(ValueError, match="iore_wagon_loaded has no LenoirSuspension"):
+        suspension_loops(WAGON, demo)

@@ -164,7 +164,7 @@ def test_bogies_stay_square(demo_run):
     """No warp beyond 3 mrad in the curve; the wheelsets of a bogie stand within 6 mm behind each other.
 
     Plate and side bearers turn the trailing bolster with 21 kN m. A bogie that warps squeezes its wedges,
-    which then slide on column and slope: their friction holds 36 kN m.
+    which then slide on column and slope: their friction holds 40 kN m.
     """
     motion = table(demo_run, "motion")
     yaw, place = {}, {}
