@@ -7,7 +7,7 @@ import pytest
 from coupling_bench import WAGON, first
 
 from hh_exudyn.multibody.couplings.three_piece_bogie import RING_RADIUS
-from hh_exudyn.multibody.hysteresis import X, Y, bogie_loops, suspension_loops, warp_loop
+from hh_exudyn.multibody.hysteresis import X, Y, Z, bogie_loops, drive, suspension_loops, warp_loop
 from vehicles.catalogue import vehicle
 from vehicles.couplings import AxleBox, CentrePlate, Rod, SideBearer, SpringNest, Wedge
 from vehicles.variants import variant_of_table
@@ -147,14 +147,14 @@ def test_warp_of_the_bogie(demo):
     turning = plate.friction * WAGON.body("car_body").mass * 9.81 / 2 * plate.radius * RING_RADIUS.mean()
     turning += 2 * bearer.friction * bearer.preload * bearer.point[1]
     held = {}
-    for friction in (0.0, 0.1, 0.2, 0.3):
+    for friction in (0.0, 0.1, 0.2):
         loop = warp_loop(variant(wedge={"slope_friction": friction}), demo)
         assert loop.dissipated == pytest.approx(loop.area, rel=0.01)
         up = np.gradient(loop.displacement) > 0.0
         held[friction] = np.interp(0.0, loop.displacement[up], loop.force[up])
         stuck = stiffness_after_turning_back(loop)
         assert 5e6 < stuck < 20e6
-    assert held[0.0] < turning < held[0.2] < held[0.3]
+    assert held[0.0] < turning < held[0.1] < held[0.2]
     assert held[0.1] > 1.5 * held[0.0]
 
 
@@ -190,8 +190,11 @@ def test_ride_control_damps_as_much_empty_as_loaded(demo):
     for name in ("loaded", "empty"):
         state = {"name": "other", "base": f"iore_wagon_{name}", "wedge": spring}
         wagon = variant_of_table(state, "test").vehicle()
-        loop = {loop.title: loop for loop in bogie_loops(wagon, demo)}["wedge, vertical"]
         wedge = next(c for c in wagon.couplings if isinstance(c, Wedge))
+        down = {"loaded": 0.07, "empty": 0.016}[name]
+        path = np.zeros((801, 6))
+        path[:, Z] = -down * (1.0 + 0.3 * np.sin(np.linspace(0.0, 2.0 * np.pi, 801)))
+        loop = drive(wagon, demo, "wedge", (wedge,), Z, path)
         bound = [0.3 * wedge.normal_force(16.4e3, motion) for motion in (1, -1)]
         assert (loop.force.max(), loop.force.min()) == pytest.approx((bound[0], -bound[1]), rel=1e-6)
         assert loop.dissipated == pytest.approx(loop.area, rel=0.01)
