@@ -163,7 +163,7 @@ def test_friction_loops(tmp_path: Path) -> None:
         r"^(\S.*\S) +(-?[\d.]+) J around the loop, +(-?[\d.]+) J dissipated$", text, re.MULTILINE
     )
     loops = {title: (float(area), float(dissipated)) for title, area, dissipated in found}
-    assert len(loops) == len(text.splitlines()) == 9
+    assert len(loops) == len(text.splitlines()) == 10
     for area, dissipated in loops.values():
         assert area > 1.0
         assert area == pytest.approx(dissipated, rel=0.01, abs=0.1)

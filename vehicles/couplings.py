@@ -9,6 +9,7 @@ import math
 from dataclasses import dataclass
 from itertools import pairwise
 
+from vehicles.freight_couplings import DoubleLink, LenoirSuspension
 from vehicles.passenger_bogie import AxleBoxArm, Damper, SeriesDamper
 
 Vector = tuple[float, float, float]
@@ -68,7 +69,9 @@ class AxleBox:
 
 @dataclass(frozen=True)
 class SpringNest:
-    """Two-stage load springs between a side frame (A) and a bolster end (B), with lateral stops."""
+    """Two-stage load springs between a side frame (A) and a bolster end (B), with lateral stops (gibs) and
+    rotation stops (lugs), which limit the warp of the bolster in the side frame.
+    """
 
     name: str
     body_a: str
@@ -89,25 +92,23 @@ class SpringNest:
     warp_damping: float  # [N m s/rad]
     stop_clearance: float  # lateral [m]
     stop_stiffness: float  # lateral [N/m]
+    rotation_clearance: float  # yaw of the bolster in the side frame up to the rotation stops [rad]
+    rotation_stop_stiffness: float  # [N m/rad]
 
 
 @dataclass(frozen=True)
 class Wedge:
     """Friction wedge between a side frame's column (A) and a bolster's slope (B), see `force_laws.wedge`.
 
-    It lies on the column along two lines, `width` apart, and on half its spring at each: when the bolster
-    warps in the side frame, one line goes down and the other up (the wedge rolls about the bogie's axis), and
-    their friction resists.
+    It lies on the column along two lines, `width` apart, and on half its spring at each. When the bolster
+    goes down, the wedge slides on the column alone. When the bolster warps in the side frame, one line is
+    squeezed down and the other let up (the wedge rolls about the bogie's axis): both then slide on column and
+    slope, whose frictions press each other's face, and that holds the bogie square.
 
-    Statics in the vertical plane, with a the slope's angle including its mobilised friction, t the toe, Fs
-    the spring force, N2 and T the column's normal force and its friction along the face: from
+    Its control spring stands on the side frame, and its force rises as the bolster goes down; with
+    `constant_damping` it stands in the bolster's pocket, and keeps its preload (Ride Control).
 
-        N1 cos a = N2 cos t - T sin t,    Fs + N2 sin t + T cos t = N1 sin a
-
-    follows N2 = (Fs cos a / cos(a - t) + T) / tan(a - t): the law of a wedge without toe of the slope a - t
-    on a spring that is softer by cos a / cos(a - t).
-
-    Raises ValueError where the wedge would jam: tan(slope + ratio atan(slope_friction) - toe) <= friction.
+    Raises ValueError where one face alone would jam the wedge: tan(slope - toe) <= friction of that face.
     """
 
     name: str
@@ -123,24 +124,9 @@ class Wedge:
     wear: float  # depth on column and wedge together, perpendicular to the column; it raises the wedge [m]
     friction: float  # of the column
     slope_friction: float  # of the slope
-    slope_friction_ratio: float  # share of the slope's friction that is mobilised, -1..1
-    stick_stiffness: float  # of the sticking contact [N/m]
+    stick_stiffness: float  # of either sticking face [N/m]
     stick_damping: float  # [N s/m]
-
-    @property
-    def force_slope(self) -> float:
-        """Angle of the bolster's force on the wedge [rad]: slope + ratio atan(slope_friction)."""
-        return self.slope + self.slope_friction_ratio * math.atan(self.slope_friction)
-
-    @property
-    def tan_slope(self) -> float:
-        """tan(a - t), slope against column."""
-        return math.tan(self.force_slope - self.toe)
-
-    @property
-    def spring_share(self) -> float:
-        """cos a / cos(a - t), the share of the control spring's force that works along the column."""
-        return math.cos(self.force_slope) / math.cos(self.force_slope - self.toe)
+    constant_damping: bool = False  # control spring in the bolster's pocket, not on the side frame
 
     @property
     def compression(self) -> float:
@@ -148,38 +134,60 @@ class Wedge:
         rise = self.wear / math.cos(self.toe) / (math.tan(self.slope) - math.tan(self.toe))
         return self.preload / self.spring_stiffness - rise
 
+    @property
+    def ways(self) -> tuple[Vector, Vector]:
+        """Ways of the wedge per way of the bolster towards the column, and down [m/m].
+
+        Each: of the wedge down the column, of the bolster on the slope, of the control spring. From
+        u = w (-sin t, cos t) + s (sin a, -cos a) for a bolster that moves by u = (towards, down), a wedge
+        that goes down its column by w and a slip s on its slope.
+        """
+        tan_slope, tan_toe = math.tan(self.slope), math.tan(self.toe)
+        rise = 1.0 / (tan_slope - tan_toe)
+        down = rise * (tan_toe if self.constant_damping else tan_slope)
+        cos_slope, cos_toe = math.cos(self.slope), math.cos(self.toe)
+        return (
+            (rise / cos_toe, rise / cos_slope, rise),
+            (rise * tan_slope / cos_toe, rise * tan_toe / cos_slope, down),
+        )
+
     def __post_init__(self) -> None:
         for quantity, value in (("width", self.width), ("wear", self.wear)):
             if not value >= 0.0:
                 raise ValueError(f"wedge {self.name}: {quantity} {value} m must be >= 0")
-        if not -1.0 <= self.slope_friction_ratio <= 1.0:
-            raise ValueError(
-                f"wedge {self.name}: slope_friction_ratio {self.slope_friction_ratio} must be -1..1"
-            )
-        if self.tan_slope <= self.friction:
-            raise ValueError(
-                f"wedge {self.name} jams: tan(slope - toe) {self.tan_slope:.3f} (slope "
-                f"{math.degrees(self.slope):.1f} deg, toe {math.degrees(self.toe):.1f} deg, slope friction "
-                f"{self.slope_friction}) must exceed the column friction {self.friction}"
-            )
+        for face, friction in (("column", self.friction), ("slope", self.slope_friction)):
+            if not 0.0 <= friction < math.tan(self.slope - self.toe):
+                raise ValueError(
+                    f"wedge {self.name} jams: its {face} friction {friction} must be >= 0 and below "
+                    f"tan(slope - toe) {math.tan(self.slope - self.toe):.3f} (slope "
+                    f"{math.degrees(self.slope):.1f} deg, toe {math.degrees(self.toe):.1f} deg)"
+                )
 
-    def normal_force(self, spring_force: float, motion: int) -> float:
-        """Column force N2 [N] in sliding; motion +1 loading, -1 unloading (the equations above).
+    def normal_force(self, spring_force: float, down: float, slip: float = 0.0) -> float:
+        """Column force N2 [N] in sliding, from the equilibrium of `force_laws.wedge`.
 
         Parameters
         ----------
         spring_force : of the control spring Fs [N]
-        motion : +1 loading, -1 unloading
+        down : +1 if the wedge slides down the column, -1 up; a part of it where it slides across as well
+        slip : +1 if the bolster slips on the slope towards the column, -1 away, 0 if it does not slip
         """
-        return self.spring_share * spring_force / (self.tan_slope - motion * self.friction)
+        angle = self.slope - self.toe
+        column = math.sin(angle) - down * self.friction * math.cos(angle)
+        slope = math.sin(angle) - slip * self.slope_friction * math.cos(angle)
+        given = slope * math.cos(self.slope) + slip * self.slope_friction * math.cos(self.toe)
+        both = column * slope - down * slip * self.friction * self.slope_friction
+        return spring_force * given / both
 
 
 @dataclass(frozen=True)
 class CentrePlate:
-    """Flat centre plate: a bolster (A) carries the car body (B) on a ring of one-sided contacts.
+    """Flat centre plate: a bolster (A) carries the car body (B) on two rings of one-sided contacts.
 
-    Dry friction holds the plates against shear and yaw (bound of the yaw torque: 2/3 mu N radius); the rim
-    limits the shear.
+    The rings stand for uniform pressure: at the places of two-point Gauss integration over the radius, each
+    with half the contacts' stiffness. The plate tips over its outer ring, and its friction has the arm of
+    the loads that stand on the rings. One bound of dry friction holds it against shear and yaw together;
+    the rim limits the shear. A spherical bowl has the same friction and tilts without a moment.
     """
 
     name: str
@@ -192,8 +200,11 @@ class CentrePlate:
     friction: float
     stick_stiffness: float  # shear of the sticking plates [N/m]
     stick_damping: float  # [N s/m]
+    yaw_stiffness: float  # of the sticking plates, with the structures that carry them [N m/rad]
+    yaw_damping: float  # [N m s/rad]
     rim_clearance: float  # [m]
     rim_stiffness: float  # [N/m]
+    spherical: bool = False  # a bowl, which tilts freely
 
 
 @dataclass(frozen=True)
@@ -326,4 +337,6 @@ Coupling = (
     | AxleBoxArm
     | Damper
     | SeriesDamper
+    | LenoirSuspension
+    | DoubleLink
 )

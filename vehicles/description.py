@@ -139,22 +139,25 @@ class Vehicle:
         if self.drives and [drive.wheelset for drive in self.drives] != [w.body for w in self.wheelsets]:
             raise ValueError(f"vehicle {self.name}: its drives must be one for each wheelset, in their order")
         for c in self.couplings:
-            if c.body_a in spinning:
+            on_a, on_b = c.body_a in spinning, c.body_b in spinning
+            if on_a and not isinstance(c, Rod):
                 raise ValueError(
                     f"vehicle {self.name}: {type(c).__name__} {c.name} has the axes of its body A, which "
                     f"would turn with the spinning wheelset {c.body_a}; make the wheelset its body B"
                 )
-            if isinstance(c, AxleBoxArm) and c.body_b not in spinning:
+            if isinstance(c, AxleBoxArm) and not on_b:
                 raise ValueError(
                     f"vehicle {self.name}: axle-box arm {c.name} turns on {c.body_b}, which is no wheelset"
                 )
-            end = c.point_b if isinstance(c, Rod) else c.point
-            axle = self.body(c.body_b).position
-            if c.body_b in spinning and math.hypot(end[0] - axle[0], end[2] - axle[2]) > 1e-6:
-                raise ValueError(
-                    f"vehicle {self.name}: {type(c).__name__} {c.name} is fixed to its spinning wheelset at "
-                    f"{end} m; it must be on the axle's centre line, x = {axle[0]:g} m, z = {axle[2]:g} m"
-                )
+            ends = (c.point_a, c.point_b) if isinstance(c, Rod) else (c.point, c.point)
+            for body, end in zip((c.body_a, c.body_b), ends, strict=True):
+                axle = self.body(body).position
+                if body in spinning and math.hypot(end[0] - axle[0], end[2] - axle[2]) > 1e-6:
+                    raise ValueError(
+                        f"vehicle {self.name}: {type(c).__name__} {c.name} is fixed to its spinning wheelset "
+                        f"at {end} m; it must be on the axle's centre line, x = {axle[0]:g} m, "
+                        f"z = {axle[2]:g} m"
+                    )
         for shoe in self.shoes:
             if shoe.wheelset not in spinning or shoe.carrier in spinning:
                 raise ValueError(

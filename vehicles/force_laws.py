@@ -25,6 +25,7 @@ them, all couplings of the wagon take 2 to 3 times as long.
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -153,6 +154,60 @@ def dry_friction(
     return -spring_u - damper_u, -spring_w - damper_w, slider_u, slider_w
 
 
+class FacesInYaw(NamedTuple):
+    """Two flat faces that stick on each other."""
+
+    stiffness: float  # in shear [N/m]
+    yaw_stiffness: float  # [N m/rad]
+    damping: float  # in shear [N s/m]
+    yaw_damping: float  # [N m s/rad]
+
+
+@inlined_kernel
+def shear_and_yaw_friction(
+    way: tuple[float, float, float],
+    slider: tuple[float, float, float],
+    rate: tuple[float, float, float],
+    faces: FacesInYaw,
+    bound: float,
+    arm: float,
+) -> tuple[float, float, float, tuple[float, float, float]]:
+    """Dry friction of a face that shears and yaws, as `dry_friction`: one bound for force and torque / arm.
+
+    Returns the forces in x and y [N] and the torque [N m] on the sliding body, and the sliders to commit.
+
+    Parameters
+    ----------
+    way : displacement in x and y [m], yaw [rad]
+    slider : committed, of the same [m, m, rad]
+    rate : of `way`
+    faces : stiffness and damping while they stick
+    bound : friction coefficient times normal force [N]; infinite it sticks
+    arm : of the friction torque, > 0: torque over force when either acts alone [m]
+    """
+    x, y = faces.stiffness * (way[0] - slider[0]), faces.stiffness * (way[1] - slider[1])
+    turn = faces.yaw_stiffness * (way[2] - slider[2]) / arm
+    shear = math.hypot(x, y)
+    if math.hypot(shear, turn) > bound:
+        left, left_turn = _left_of_stretch(shear, turn, faces.stiffness, faces.yaw_stiffness / arm**2, bound)
+        x, y, turn = left * x, left * y, left_turn * turn
+        slider = (
+            way[0] - left * (way[0] - slider[0]),
+            way[1] - left * (way[1] - slider[1]),
+            way[2] - left_turn * (way[2] - slider[2]),
+        )
+    by_x, by_y, by_turn = faces.damping * rate[0], faces.damping * rate[1], faces.yaw_damping * rate[2] / arm
+    whole = by_x * by_x + by_y * by_y + by_turn * by_turn
+    if (x + by_x) ** 2 + (y + by_y) ** 2 + (turn + by_turn) ** 2 > bound * bound:
+        # along the damper's force and across it: two components suffice
+        size = math.sqrt(whole)
+        along = (x * by_x + y * by_y + turn * by_turn) / size
+        across = math.sqrt(max(x * x + y * y + turn * turn - along * along, 0.0))
+        share = _damper_share(along, across, size, 0.0, bound, 0.0) if size > 0.0 else 0.0
+        by_x, by_y, by_turn = share * by_x, share * by_y, share * by_turn
+    return -x - by_x, -y - by_y, -(turn + by_turn) * arm, slider
+
+
 @kernel
 def _left_of_stretch(
     spring_u: float, spring_w: float, stiffness_u: float, stiffness_w: float, bound: float
@@ -185,94 +240,150 @@ def _left_of_stretch(
 
 @kernel
 def _damper_share(
-    spring_u: float, spring_w: float, damper_u: float, damper_w: float, bound: float, growth: float
+    spring_u: float, spring_w: float, damper_u: float, damper_w: float, bound: float, gain: float
 ) -> float:
     """Largest share 0..1 of the damper's force that keeps the sum with the spring's within its bound.
 
-    The larger root of |spring + share damper| = bound + share growth damper_u.
+    |spring + share damper| <= bound + share gain is convex in the share and holds at 0: where it does not at
+    1, the share is the root in between.
 
     Parameters
     ----------
     spring_u, spring_w : force of the spring, within the bound [N]
-    damper_u, damper_w : the whole force of the damper, with which the sum exceeds the bound [N]
+    damper_u, damper_w : the whole force of the damper [N]
     bound : [N], at the spring's force alone
-    growth : of the bound per force of the damper in u, -1 < growth < 1
+    gain : of the bound by the whole force of the damper [N]
     """
-    square = damper_u * damper_u * (1.0 - growth * growth) + damper_w * damper_w
-    half = spring_u * damper_u + spring_w * damper_w - bound * growth * damper_u
+    if math.hypot(spring_u + damper_u, spring_w + damper_w) <= bound + gain:
+        return 1.0
+    square = damper_u * damper_u + damper_w * damper_w - gain * gain
+    half = spring_u * damper_u + spring_w * damper_w - bound * gain
     room = max(bound * bound - spring_u * spring_u - spring_w * spring_w, 0.0)
-    root = math.sqrt(half * half + square * room)
+    root = math.sqrt(max(half * half + square * room, 0.0))
     if half > 0.0:
         return min(room / (half + root), 1.0)
     return min((root - half) / square, 1.0) if square > 0.0 else 0.0
 
 
+class WedgeFaces(NamedTuple):
+    """Faces of a wedge, of the slope a and the toe t from the vertical; its angle is a - t."""
+
+    sine: float  # of its angle
+    cosine: float  # of its angle
+    slope_cosine: float  # cos a
+    toe_cosine: float  # cos t
+    friction: float  # of the column
+    slope_friction: float
+    stick_stiffness: float  # of either sticking face [N/m]
+    stick_damping: float  # [N s/m]
+
+
+class WedgeForces(NamedTuple):
+    """Friction of a wedge against its motion, and its sliders."""
+
+    down: float  # of the column, against the wedge's way down it [N]
+    across: float  # of the column, against its way across [N]
+    slope: float  # against the bolster's slip on the wedge [N]
+    slider: tuple[float, float, float]  # down, across, slope [m]
+
+
 @inlined_kernel
 def wedge(
-    compression: float,
-    lateral: float,
-    slider_compression: float,
-    slider_lateral: float,
-    compression_rate: float,
-    lateral_rate: float,
-    spring_stiffness: float,
-    tan_slope: float,
-    friction: float,
-    stick_stiffness: float,
-    stick_damping: float,
-) -> tuple[float, float, float, float, float]:
-    """Massless load-sensitive friction wedge between the bolster's slope and the side frame's column.
+    way: tuple[float, float, float],
+    slider: tuple[float, float, float],
+    rate: tuple[float, float, float],
+    spring: float,
+    faces: WedgeFaces,
+) -> WedgeForces:
+    """Dry friction of a massless wedge on both its faces: the side frame's column and the bolster's slope.
 
-    The wedge stands on its control spring, which stands on the side frame: it goes down with the bolster
-    by `compression` [m], slides on the column along its face by the same amount and laterally by `lateral`.
-    With the spring force Fs, the column's friction T on the wedge (T_v upwards) and a slope at the angle a
-    from the column (friction of the slope within `tan_slope`), its equilibrium gives the column force
+    The wedge goes down the column by one part of `way` and across it by another; the bolster slips on its
+    slope by the third, towards the column. With the frictions T2 (down), T3 (across) and T1 (slope) against
+    these ways and d = a - t, the equilibrium of the wedge on its control spring's force Fs gives the normal
+    forces of column and slope
 
-        N2 = (Fs + T_v) / tan(a),        |T| <= mu N2,
+        N2 = (Fs cos a + T2 cos d + T1) / sin d,    |T2, T3| <= mu N2,
+        N1 = (Fs cos t + T2 + T1 cos d) / sin d,    |T1| <= mu1 N1.
 
-    so that in sliding |T| = mu Fs / (tan(a) - mu T_v/|T|): more when the bolster goes down (T_v > 0) than
-    when it comes up. `tan_slope` must exceed `friction`, else the wedge jams, which
-    `vehicles.couplings.Wedge` refuses. Eleven arguments: those of `dry_friction` and the wedge's own.
+    A bolster that goes down or up slips on the column alone (but for the toe). One that warps, or comes
+    nearer to the column, squeezes the wedge: it slips on both, and each friction presses the other face. A
+    wedge of an angle below atan(mu) + atan(mu1) then jams: it holds by the stiffness of its faces.
 
-    Spring, slider and damper of the sticking face are those of `dry_friction`, with this cone for the bound:
-    slip returns to it in the direction of the friction, as Coulomb's law demands, and the damper acts within
-    the remaining margin. For any course of the control spring's force the face returns no more energy than
-    it stored.
+    Spring, slider and damper of each sticking face are those of `dry_friction`, with these two cones for the
+    bounds: slip leaves of every spring's force the largest share with which both hold, and the damper acts
+    within the remaining margin. For any course of the control spring's force the faces return no more energy
+    than they stored.
 
     Parameters
     ----------
-    compression, lateral : of the control spring, and displacement across the column [m]
-    slider_compression, slider_lateral : committed slider position [m]
-    compression_rate, lateral_rate : [m/s]
-    spring_stiffness : of the control spring [N/m]
-    tan_slope : tan(a) of the slope against the column [-], > `friction`
-    friction : coefficient mu of the column [-]
-    stick_stiffness, stick_damping : of the sticking face [N/m, N s/m]
-
-    Returns
-    -------
-    (column, along, lateral_force, new_slider_compression, new_slider_lateral) : normal force N2 of the
-    column, friction T_v along it and across it [N]; the first two act on the wedge (away from the column and
-    upwards), lateral_force on wedge and bolster.
+    way : of the wedge down the column and across it, and of the bolster on the slope [m]
+    slider : committed, in the same directions [m]
+    rate : of `way` [m/s]
+    spring : control spring's force Fs, vertical; a wedge without it is loose and holds nothing [N]
+    faces : angles, friction and stiffness
     """
-    spring = spring_stiffness * compression
     if spring <= 0.0:
-        return 0.0, 0.0, 0.0, compression, lateral
-    up = stick_stiffness * (compression - slider_compression)
-    side = -stick_stiffness * (lateral - slider_lateral)
-    held = math.hypot(up, side)
-    if held * tan_slope > friction * (spring + up):
-        left = friction * spring / (held * tan_slope - friction * up)
-        up *= left
-        side *= left
-        slider_compression = compression - left * (compression - slider_compression)
-        slider_lateral = lateral - left * (lateral - slider_lateral)
-    damper_up = stick_damping * compression_rate
-    damper_side = -stick_damping * lateral_rate
-    if math.hypot(up + damper_up, side + damper_side) * tan_slope > friction * (spring + up + damper_up):
-        cone = friction / tan_slope
-        share = _damper_share(up, side, damper_up, damper_side, cone * (spring + up), cone)
-        damper_up *= share
-        damper_side *= share
-    up += damper_up
-    return (spring + up) / tan_slope, up, side + damper_side, slider_compression, slider_lateral
+        return WedgeForces(0.0, 0.0, 0.0, way)
+    k, damping = faces.stick_stiffness, faces.stick_damping
+    mu, mu_slope, sine, cosine = faces.friction, faces.slope_friction, faces.sine, faces.cosine
+    down, across, slope = k * (way[0] - slider[0]), k * (way[1] - slider[1]), k * (way[2] - slider[2])
+    for_column, for_slope = mu * spring * faces.slope_cosine, mu_slope * spring * faces.toe_cosine
+    held = math.hypot(down, across) * sine - mu * cosine * down
+    held_slope = abs(slope) * sine - mu_slope * cosine * slope
+    if held - mu * slope > for_column or held_slope - mu_slope * down > for_slope:
+        left, left_slope = _shares_left(
+            held, held_slope, -mu * slope, -mu_slope * down, for_column, for_slope
+        )
+        down, across, slope = left * down, left * across, left_slope * slope
+        slider = (
+            way[0] - left * (way[0] - slider[0]),
+            way[1] - left * (way[1] - slider[1]),
+            way[2] - left_slope * (way[2] - slider[2]),
+        )
+    to_down, to_across, to_slope = damping * rate[0], damping * rate[1], damping * rate[2]
+    bound = (for_column + mu * (down * cosine + slope)) / sine
+    bound_slope = (for_slope + mu_slope * (down + slope * cosine)) / sine
+    share = min(
+        _damper_share(down, across, to_down, to_across, bound, mu * (to_down * cosine + to_slope) / sine),
+        _damper_share(
+            slope,
+            0.0,
+            to_slope,
+            0.0,
+            bound_slope,
+            mu_slope * (to_down + to_slope * cosine) / sine,
+        ),
+    )
+    return WedgeForces(down + share * to_down, across + share * to_across, slope + share * to_slope, slider)
+
+
+@kernel
+def _shares_left(
+    own: float, own_slope: float, other: float, other_slope: float, bound: float, bound_slope: float
+) -> tuple[float, float]:
+    """Shares 0..1 of the spring's forces of column and slope that remain after slip.
+
+    The largest l2, l1 with own l2 + other l1 <= bound, own_slope l1 + other_slope l2 <= bound_slope, each
+    below 1 only where its row is reached: a linear complementarity problem of two rows. It has one solution
+    where the wedge does not jam; where it does, this one leaves most.
+
+    Parameters
+    ----------
+    own, own_slope : what each face's force takes of its own bound [N]
+    other, other_slope : what the force of the other face takes of it, or adds to it if negative [N]
+    bound, bound_slope : of the control spring alone [N]
+    """
+    if own > 0.0:
+        left = (bound - other) / own
+        if 0.0 <= left <= 1.0 and own_slope + other_slope * left <= bound_slope:
+            return left, 1.0
+    if own_slope > 0.0:
+        left_slope = (bound_slope - other_slope) / own_slope
+        if 0.0 <= left_slope <= 1.0 and own + other * left_slope <= bound:
+            return 1.0, left_slope
+    determinant = own * own_slope - other * other_slope
+    if not determinant > 0.0:
+        return 0.0, 0.0
+    left = (bound * own_slope - bound_slope * other) / determinant
+    left_slope = (bound_slope * own - bound * other_slope) / determinant
+    return min(max(left, 0.0), 1.0), min(max(left_slope, 0.0), 1.0)

@@ -36,6 +36,7 @@ Play = _between(0.0, 0.5)
 Share = _between(0.0, 1.0)
 Ratio = _between(0.0, 20.0)
 Angle = _between(-90.0, 90.0)
+Side = _between(-1.0, 1.0)
 Frequency = _between(0.01, 50.0)
 Force = _between(0.0, 5e6)
 CreepCoefficient = _between(1e4, 1e9)
@@ -76,8 +77,11 @@ QUANTITIES: dict[str, dict[str, Quantity]] = {  # unit: last word of the name
           **dict.fromkeys(("clearance", "wear", "from"), Quantity("play", Play)),
           **dict.fromkeys(_LENGTHS, _LENGTH)},
     "-": {"friction": Quantity("friction", Share), "conicity": Quantity("conicity", Share),
-          "ratio": Quantity("ratio", Ratio)},
-    "deg": dict.fromkeys(("slope", "toe"), Quantity("angle", Angle)),
+          "ratio": Quantity("ratio", Ratio), "share": Quantity("share", Share),
+          "side": Quantity("side", Side),
+          **dict.fromkeys(("damping", "spherical"), Quantity("yes (1) or no (0)", Share))},
+    "rad": {"clearance": Quantity("angular play", Play)},
+    "deg": dict.fromkeys(("slope", "toe", "angle"), Quantity("angle", Angle)),
     "Hz": {"frequency": Quantity("frequency", Frequency)},
     "N": {"creep": Quantity("creep coefficient", CreepCoefficient),
           **dict.fromkeys(("preload", "effort", "mm"), Quantity("force", Force))},

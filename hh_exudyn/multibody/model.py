@@ -50,7 +50,7 @@ class Ledger(IntEnum):
     BRAKE_POWER = 6  # taken by brake shoes
 
 
-SLIDERS = 4  # slider coordinates reserved for each coupling
+SLIDERS = 6  # slider coordinates reserved for each coupling
 
 
 class Couplings(NamedTuple):

@@ -36,7 +36,7 @@ def wedge_friction():
     """Least vertical friction [N] of the two wedges of a side under the loaded wagon, going up."""
     wagon = vehicle("iore_wagon_loaded")
     wedge = next(c for c in wagon.couplings if isinstance(c, Wedge))
-    spring = wedge.spring_stiffness * (wedge.compression + 0.069)  # at its static deflection
+    spring = wedge.spring_stiffness * (wedge.compression + 0.067)  # at its static deflection
     return 2 * wedge.friction * wedge.normal_force(spring, -1)
 
 

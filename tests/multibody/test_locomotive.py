@@ -11,10 +11,12 @@ from hh_exudyn.multibody.control import vehicle_control
 from hh_exudyn.multibody.equilibrium import equilibrium
 from hh_exudyn.multibody.model import Ledger, workspace
 from hh_exudyn.multibody.simulate import simulate
+from hh_exudyn.sourced import load_parameters
 from track.course.alignment import inclined_frame
 from vehicles.catalogue import vehicle
 from vehicles.start import start_middle
 from vehicles.traction.train import locomotive_resistance
+from vehicles.variants import find_variant
 
 LOCOMOTIVE = vehicle("iore_locomotive")
 GAUGE = {"gauge_mm": 1440.0}
@@ -168,3 +170,57 @@ def test_a_wagon_has_no_driver(demo):
         demo.with_changes(vehicle="iore_locomotive", traction={"units": 9})
     case = demo.with_changes(vehicle="iore_locomotive", traction={"trailing_wagons": 40})
     assert Case.from_toml(case.to_toml()) == case
+
+
+def axle_loads_on(demo: Case, folder, side: float, per_mille: float) -> tuple[np.ndarray, np.ndarray]:
+    """Vertical loads [kN] and torques [kN m] of the axles at 40 km/h, of motors on a side of their axles."""
+    file = folder / f"side_{side:g}.toml"
+    file.write_text(f'base = "iore_locomotive"\nmotor.side = {side}\n')
+    case = on_slope(demo, 60.0, per_mille, speed_km_h=40.0).with_changes(vehicle=str(file))
+    unit = case.described_vehicle()
+    model = assemble(unit, case)
+    work = workspace(model)
+    vehicle_control(case, unit, model, work)
+    equilibrium(unit, model, work)
+    return -1e-3 * work.rail_force[:, :, 1].sum(axis=1), 1e-3 * work.inputs.drive_torque
+
+
+def test_axle_loads_under_traction_are_those_of_statics(demo, tmp_path):
+    """At 365 kN each bogie pitches by the moment of its traction rod, and motors press by their noses.
+
+    Loads are level to 3 % when it coasts. The reaction of a motor's torque T at its nose, the distance n from
+    the axle, takes T / n off an axle with its motor behind and adds it where the motor is ahead. With all
+    motors of a bogie on one side this is the same for its axles and only their pitch is left: loads are
+    linear along the bogie, by the rod's force times its height. On alternating sides the middle axle loses
+    T / n to its neighbours besides.
+    """
+    numbers = load_parameters("vehicles", "iore_locomotive")
+    spacing, sine = numbers["wheelset.spacing"], 7.72e-3
+    frame, motor, wheelset = (numbers[f"{part}.mass"] for part in ("bogie_frame", "motor", "wheelset"))
+    weight = 1e-3 * GRAVITY * sine * (frame + 3 * (motor + wheelset))  # of a bogie, along the slope [kN]
+    lever = frame * numbers["bogie_frame.height"] + 3 * (motor + wheelset) * numbers["wheelset.radius"]
+    lever /= frame + 3 * (motor + wheelset)
+    zigzag = {}
+    for side in (1.0, -1.0, 0.0):
+        coasting, idle = axle_loads_on(demo, tmp_path, side, 0.0)
+        hauling, torque = axle_loads_on(demo, tmp_path, side, 7.72)
+        assert torque.sum() / 0.625 == pytest.approx(365.0, abs=10.0)
+        assert np.ptp(coasting) < 0.03 * coasting.mean()
+        nose = (torque - idle) / numbers["motor.nose_distance"]
+        for bogie in (slice(0, 3), slice(3, 6)):
+            change = (hauling - coasting)[bogie]
+            rod = (torque - idle)[bogie].sum() / 0.625 - weight
+            pitch = -(rod * numbers["traction_rod.height"] + weight * lever) / (2 * spacing)
+            assert (change[0] - change[2]) / 2 == pytest.approx(pitch, rel=0.05)
+            zigzag[side, bogie.start] = (change[1] - (change[0] + change[2]) / 2) / nose[0]
+    assert [zigzag[side, first] for side in (1.0, -1.0) for first in (0, 3)] == pytest.approx(
+        [0.0] * 4, abs=0.01
+    )
+    assert [zigzag[0.0, first] for first in (0, 3)] == pytest.approx([-1.0, 1.0], abs=0.02)
+
+
+def test_a_side_that_is_none_is_refused(tmp_path):
+    file = tmp_path / "odd.toml"
+    file.write_text('base = "iore_locomotive"\nmotor.side = 0.5\n')
+    with pytest.raises(ValueError, match=r"motor\.side 0\.5 must be 1"):
+        find_variant(file)

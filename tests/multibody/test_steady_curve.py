@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from run_tables import steady, table, wheel_means
+from scipy.spatial.transform import Rotation
 
 from hh_exudyn.contact.profile import gauge_point, rail_profile
 from hh_exudyn.conventions import GRAVITY, RAIL_TOP_DISTANCE
@@ -143,9 +144,8 @@ def frame(alignment, s):
 def test_the_wagon_steers_as_an_ore_wagon(contact):
     """Leading wheelsets run under-radial on the outer flange, trailing ones near radial and inside them.
 
-    How far inside, dry friction says in the trailing bogie. Its plate turns it back to the body's direction
-    with 2/3 mu N R, 13 kN m, as much as its wedges hold against warp: it lozenges, and its last wheelset runs
-    near the middle of the track. With half the friction of the plate that runs 2.4 mm outside of the middle.
+    Both bogies stay square (the next test), so that the second wheelsets of both run alike, some millimetres
+    inside of the first ones.
     """
     attack = -wheel_means(contact, "angle_of_attack")[:, 0]  # towards the outer rail in a left-hand curve
     outwards = -wheel_means(contact, "y_wheelset")[:, 0]
@@ -157,7 +157,31 @@ def test_the_wagon_steers_as_an_ore_wagon(contact):
         assert contact.contact_angle[outer].mean() > np.radians(15)  # on the flange root
     assert outwards[0] == outwards.max()
     assert outwards[1] > 4e-3
-    assert abs(outwards[3]) < 4e-3
+    assert 4e-3 < outwards[3] < outwards[1]
+
+
+def test_bogies_stay_square(demo_run):
+    """No warp beyond 3 mrad in the curve; the wheelsets of a bogie stand within 6 mm behind each other.
+
+    Plate and side bearers turn the trailing bolster with 21 kN m. A bogie that warps squeezes its wedges,
+    which then slide on column and slope: their friction holds 40 kN m.
+    """
+    motion = table(demo_run, "motion")
+    yaw, place = {}, {}
+    for name in set(motion.body):
+        own = motion.body == name
+        quaternions = np.column_stack([motion.qx[own], motion.qy[own], motion.qz[own], motion.qw[own]])
+        x, y = Rotation.from_quat(quaternions).as_matrix()[:, :2, 1].T  # of the axis to the left
+        yaw[name] = np.unwrap(np.arctan2(-x, y))
+        place[name] = np.column_stack([motion.x[own], motion.y[own]])
+    warp = {(n, s): yaw[f"bolster_{n}"] - yaw[f"side_frame_{n}{s}"] for n in (1, 2) for s in "LR"}
+    assert max(np.abs(angle).max() for angle in warp.values()) < 3e-3
+    for number in (1, 2):
+        front, rear = f"wheelset_{2 * number - 1}", f"wheelset_{2 * number}"
+        heading = (yaw[front] + yaw[rear]) / 2
+        apart = place[front] - place[rear]
+        across = -np.sin(heading) * apart[:, 0] + np.cos(heading) * apart[:, 1]
+        assert np.abs(across).max() < 6e-3
 
 
 @pytest.mark.parametrize("change", ["damp rails", "stiff pads"])

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from vehicles.force_laws import dry_friction, wedge
+from vehicles.force_laws import FacesInYaw, WedgeFaces, dry_friction, shear_and_yaw_friction, wedge
 
-SLOPE = math.tan(math.radians(36.3))
+SLOPE, TOE = math.radians(36.3), math.radians(1.0)
 CONTROL_SPRING = 4.0e5  # N/m
 ROUNDING = 1e-9  # of a force; a stretch is a difference of two places
 
@@ -30,6 +30,7 @@ legs = st.tuples(
 )
 paths = st.lists(legs, min_size=1, max_size=12)
 HALF_A_MILLIMETRE = 5e-4
+coefficients = st.floats(0.0, 0.7)
 compiles_first = settings(deadline=None)  # the first example has the kernel compiled
 
 
@@ -82,28 +83,66 @@ def test_no_path_gets_energy_out_of_dry_friction(k_u, k_w, d_u, d_w, largest, pa
         assert work >= held - ROUNDING * size
 
 
-@example(4e7, 8e4, 0.6, back_and_forth(4e-4, 0.053e-3))
-@example(4e7, 8e4, 0.6, across_and_back(4e-4))
-@compiles_first
-@given(stiffnesses, dampings, st.floats(0.0, 0.7), paths)
-def test_no_path_gets_energy_out_of_a_wedge(stiffness, damping, largest, path):
-    """As of dry friction; the bound goes with the control spring, the friction itself, and the coefficient.
+def faces(friction, slope_friction, stiffness, damping):
+    angles = math.sin(SLOPE - TOE), math.cos(SLOPE - TOE), math.cos(SLOPE), math.cos(TOE)
+    return WedgeFaces(*angles, friction, slope_friction, stiffness, damping)
 
-    The control spring's own force works on the way of the bolster alone and is left out. Where the wedge is
-    loose its face holds nothing.
+
+def normal_forces(spring, down, slope):
+    """Of column and slope of the wedge."""
+    sine, cosine = math.sin(SLOPE - TOE), math.cos(SLOPE - TOE)
+    column = (spring * math.cos(SLOPE) + down * cosine + slope) / sine
+    return column, (spring * math.cos(TOE) + down + slope * cosine) / sine
+
+
+@example(4e7, 8e4, 0.6, 0.0, 1.2, back_and_forth(4e-4, 0.053e-3))
+@example(4e7, 8e4, 0.6, 0.3, 1.2, across_and_back(4e-4))
+@compiles_first
+@given(stiffnesses, dampings, coefficients, coefficients, st.floats(-1.5, 1.5), paths)
+def test_no_path_gets_energy_out_of_a_wedge(stiffness, damping, largest, slope_friction, slip, path):
+    """As of dry friction; the bounds go with the control spring, the frictions themselves, the coefficient.
+
+    The bolster slips on the slope by `slip` times its way down the column and across it. The control spring's
+    own force works on the way of the bolster alone and is left out. Where the wedge is loose its faces hold
+    nothing.
     """
     middle = 1e-3  # of the compression: some paths go on to where the wedge is loose
-    slider, work, size = (middle, 0.0), 0.0, 0.0
+    slider, work, size = (middle, 0.0, 0.0), 0.0, 0.0
     for place, way, rate, share in steps(path):
-        down = middle + place[0]
-        column, up, side, *slider = wedge(
-            down, place[1], *slider, *rate, CONTROL_SPRING, SLOPE, share * largest, stiffness, damping
-        )
-        assert column >= 0.0
-        work += up * way[0] - side * way[1]
-        size += math.hypot(up, side) * math.hypot(*way)
-        held = 0.5 * stiffness * ((down - slider[0]) ** 2 + (place[1] - slider[1]) ** 2)
+        down, slope = middle + place[0], slip * (place[0] + 0.5 * place[1])
+        rub = wedge(
+            (down, place[1], slope), slider, (*rate, slip * (rate[0] + 0.5 * rate[1])),
+            CONTROL_SPRING * down, faces(share * largest, slope_friction, stiffness, damping),
+        )  # fmt: skip
+        slider = rub.slider
+        way_slope = slip * (way[0] + 0.5 * way[1])
+        if down > 0.0:
+            assert min(normal_forces(CONTROL_SPRING * down, rub.down, rub.slope)) >= 0.0
+        work += rub.down * way[0] + rub.across * way[1] + rub.slope * way_slope
+        size += math.hypot(rub.down, rub.across, rub.slope) * math.hypot(*way, way_slope)
+        held = 0.5 * stiffness * math.dist((down, place[1], slope), slider) ** 2
         assert work >= held - ROUNDING * size
+
+
+@example(4e7, 2e7, 8e4, 1e5, 0.19, 1e5, back_and_forth(4e-4, 0.053e-3))
+@compiles_first
+@given(stiffnesses, stiffnesses, dampings, dampings, st.floats(0.01, 1.0), bounds, paths)
+def test_no_path_gets_energy_out_of_a_plate(stiffness, yaw_stiffness, damping, yaw_damping, arm, most, path):
+    """Of faces that shear and yaw under one bound; bound and arm change from leg to leg."""
+    slider, work, size = (0.0, 0.0, 0.0), 0.0, 0.0
+    in_yaw = FacesInYaw(stiffness, yaw_stiffness, damping, yaw_damping)
+    for (u, w), (du, dw), (ru, rw), share in steps(path):
+        # sheared in both directions and turned
+        way, change, rate = (u, 0.5 * w, w), (du, 0.5 * dw, dw), (ru, 0.5 * rw, rw)
+        x, y, torque, slider = shear_and_yaw_friction(
+            way, slider, rate, in_yaw, share * most, arm * (1.0 + share)
+        )
+        assert math.hypot(x, y, torque / (arm * (1.0 + share))) <= share * most * (1 + 1e-9) + 1e-6
+        work -= x * change[0] + y * change[1] + torque * change[2]
+        size += abs(x * change[0]) + abs(y * change[1]) + abs(torque * change[2])
+        held = 0.5 * stiffness * ((way[0] - slider[0]) ** 2 + (way[1] - slider[1]) ** 2)
+        held += 0.5 * yaw_stiffness * (way[2] - slider[2]) ** 2
+        assert work >= held - ROUNDING * max(size, held)
 
 
 @example(0.015625, 0.0, 0.0, 0.0, -1.0, 0.0, 1e7, 6e6, 2e4, 3e4, 1.0)
@@ -151,30 +190,31 @@ def check_damper(taken, damper, magnitude, bound, tolerance):
 
 @compiles_first
 @given(
-    st.floats(1e-3, 0.08), places, st.floats(-0.08, 0.08), places, rates, rates, stiffnesses, dampings,
-    st.floats(0.0, 0.7),
+    st.tuples(places, places, places), st.tuples(places, places, places), st.tuples(rates, rates, rates),
+    st.floats(10.0, 1e5), stiffnesses, dampings, coefficients, coefficients,
 )  # fmt: skip
-def test_the_wedges_face_is_coulombs(down, lateral, slid, slid_lateral, rate, rate_lateral, k, d, friction):
-    """The same with the cone for the bound: friction times the column force that goes with that friction."""
-    motion = (down, lateral, slid, slid_lateral, rate, rate_lateral)
-    column, up, side, *slider = wedge(*motion, CONTROL_SPRING, SLOPE, friction, k, d)
-    held = CONTROL_SPRING * down
-    tolerance = ROUNDING * max(0.2 * k, held) / (SLOPE - friction)
-    assert column == pytest.approx((held + up) / SLOPE)
-    assert math.hypot(up, side) <= friction * column + tolerance
-    spring = np.array([k * (down - slider[0]), -k * (lateral - slider[1])])
-    trial = np.array([k * (down - slid), -k * (lateral - slid_lateral)])
-    room = friction * (held + trial[0]) / SLOPE - np.hypot(*trial)
-    if room > tolerance:
-        assert slider == [slid, slid_lateral]
-    elif room < -tolerance:
-        assert np.hypot(*spring) == pytest.approx(friction * (held + spring[0]) / SLOPE, abs=tolerance)
-        assert spring[0] * trial[1] - spring[1] * trial[0] == pytest.approx(
-            0.0, abs=tolerance * np.hypot(*trial)
-        )
-        assert spring @ trial >= -tolerance * np.hypot(*trial)
-    damper = np.array([d * rate, -d * rate_lateral])
-    check_damper(np.array([up, side]) - spring, damper, math.hypot(up, side), friction * column, tolerance)
+def test_the_wedges_faces_are_coulombs(way, slider, rate, spring, k, damping, mu, mu_slope):
+    """The same with cones for the bounds: friction times the normal force that goes with both frictions.
+
+    A face slips only where its own cone is reached, and along its trial force; slip and cone hold together.
+    """
+    rub = wedge(way, slider, rate, spring, faces(mu, mu_slope, k, damping))
+    still = wedge(way, slider, (0.0, 0.0, 0.0), spring, faces(mu, mu_slope, k, 0.0))
+    assert still.slider == rub.slider
+    trial, held = k * (np.array(way) - slider), k * (np.array(way) - rub.slider)
+    tolerance = 1e-7 * (spring + np.abs(trial).max())
+    assert (still.down, still.across, still.slope) == pytest.approx(held, abs=tolerance)
+    for force in (rub, still):
+        column, slope = normal_forces(spring, force.down, force.slope)
+        assert math.hypot(force.down, force.across) <= mu * column + tolerance
+        assert abs(force.slope) <= mu_slope * slope + tolerance
+    column, slope = normal_forces(spring, *held[[0, 2]])
+    for part, bound in (([0, 1], mu * column), ([2], mu_slope * slope)):
+        left, whole = np.linalg.norm(held[part]), np.linalg.norm(trial[part])
+        assert held[part] * whole == pytest.approx(trial[part] * left, abs=tolerance * whole)
+        assert left <= whole + tolerance
+        if left < whole - 10 * tolerance:
+            assert left == pytest.approx(bound, rel=1e-5, abs=10 * tolerance)
 
 
 def test_a_bound_that_falls_lets_the_face_slip_at_rest():

@@ -18,7 +18,10 @@ _PRIMARY_DEFLECTION = 0.04  # m, first guess of the equilibrium
 
 
 def iore_locomotive(name: str, p: ParameterSet) -> Vehicle:
-    """One unit, leading bogie first; motors stand on the sides of their axles that `_motor_side` gives."""
+    """One unit, leading bogie first; motors stand on the sides of their axles that `_motor_side` gives.
+
+    Raises ValueError for a ``motor.side`` other than 1, 0 and -1.
+    """
     half = p["locomotive.bogie_distance"] / 2
     equipment = TractionEquipment(
         starting_effort=p["traction.starting_effort"],
@@ -76,13 +79,26 @@ def _axle_place(p: ParameterSet, axle: int, middle: float) -> float:
     return middle + (2 - axle) * p["wheelset.spacing"]
 
 
-def _motor_side(bogie: int, axle: int) -> int:
+def _motor_side(p: ParameterSet, bogie: int, axle: int) -> int:
     """Side of the motor: +1 ahead of its axle, -1 behind it.
 
-    The motors of the outer axles lie inside the wheelbase, that of the middle axle on the side of the
-    locomotive's middle, so that both bogies are mirror images of each other.
+    The reaction of a motor's torque presses its axle down and its bogie's frame up, or the other way round,
+    by its side. With all motors of a bogie on one side (``motor.side`` 1: that of the locomotive's middle,
+    -1: that of its ends) these forces are the same on all axles and cancel in their springs; with 0 the
+    motors of the outer axles lie within the wheelbase, that of the middle axle towards the locomotive's
+    middle, and load and unload. Both bogies are mirror images of each other.
     """
-    return {1: -1, 2: -1 if bogie == 1 else 1, 3: 1}[axle]
+    inwards = -1 if bogie == 1 else 1
+    match p["motor.side"]:
+        case 1.0 | -1.0 as side:
+            return inwards * int(side)
+        case 0.0:
+            return {1: -1, 2: inwards, 3: 1}[axle]
+        case other:
+            raise ValueError(
+                f"motor.side {other:g} must be 1 (motors towards the locomotive's middle), -1 (towards its "
+                "ends) or 0 (those of the outer axles within the wheelbase)"
+            )
 
 
 def _car_body(p: ParameterSet, mass: float) -> Body:
@@ -125,7 +141,7 @@ def _wheelset(p: ParameterSet, bogie: int, axle: int, middle: float, equipment: 
 
 
 def _motor(p: ParameterSet, bogie: int, axle: int, middle: float) -> Body:
-    x = _axle_place(p, axle, middle) + _motor_side(bogie, axle) * p["motor.distance"]
+    x = _axle_place(p, axle, middle) + _motor_side(p, bogie, axle) * p["motor.distance"]
     centre = (x, 0.0, p["wheelset.radius"])
     return body_of_kind(p, "motor", f"motor_{bogie}_{axle}", centre, _PRIMARY_DEFLECTION / 2)
 
@@ -162,7 +178,7 @@ def _wheelset_couplings(p: ParameterSet, bogie: int, axle: int, middle: float) -
             yaw_stiffness=turning,
         )
     )
-    nose = x + _motor_side(bogie, axle) * p["motor.nose_distance"]
+    nose = x + _motor_side(p, bogie, axle) * p["motor.nose_distance"]
     couplings.append(
         Rod(
             name=f"motor_link_{bogie}_{axle}",
@@ -177,17 +193,29 @@ def _wheelset_couplings(p: ParameterSet, bogie: int, axle: int, middle: float) -
     return couplings
 
 
+def _spring_offset(p: ParameterSet, bogie: int, body_mass: float) -> float:
+    """Place of the secondary springs ahead of the middle axle [m], where they balance the motors' noses.
+
+    The bogie's frame carries the share distance / nose_distance of every motor at its nose; with the springs
+    there, all axles stand alike.
+    """
+    reach = p["motor.nose_distance"]
+    noses = [_axle_place(p, axle, 0.0) + _motor_side(p, bogie, axle) * reach for axle in (1, 2, 3)]
+    carried = p["motor.mass"] * p["motor.distance"] / reach
+    return -carried * sum(noses) / (body_mass / 2)
+
+
 def _body_couplings(p: ParameterSet, bogie: int, middle: float, body_mass: float) -> list[Coupling]:
     """Springs with their dampers on both sides, the lateral stop, and the traction rod to the middle."""
     frame = f"bogie_frame_{bogie}"
     horizontal, height = p["secondary.horizontal_stiffness"], p["secondary.height"]
-    roll = p["secondary.roll_stiffness"]
+    roll, offset = p["secondary.roll_stiffness"], _spring_offset(p, bogie, body_mass)
     springs = [
         Bushing(
             name=f"secondary_{bogie}{letter}",
             body_a=frame,
             body_b="car_body",
-            point=(middle, side * p["secondary.half_spacing"], height),
+            point=(middle + offset, side * p["secondary.half_spacing"], height),
             stiffness=(horizontal, horizontal, p["secondary.vertical_stiffness"]),
             damping=in_directions(p, "secondary", "damping"),
             rotational_stiffness=(roll, roll, 0.0),

@@ -1,9 +1,14 @@
-"""The three-piece bogie: bolster, two side frames, two wheelsets and their couplings."""
+"""The three-piece bogie: bolster, two side frames, two wheelsets and their couplings.
+
+Members of the family differ by numbers: with ``wedge.constant_damping = 1`` the control springs stand in the
+bolster (Ride Control), else on the side frames (Barber); a ``frame_brace.stiffness`` crosses two rods between
+the side frames (frame-braced), a ``cross_brace.stiffness`` between the axle boxes (Scheffel's cross-anchors).
+"""
 
 import math
 
 from hh_exudyn.sourced import ParameterSet
-from vehicles.couplings import AxleBox, CentrePlate, Coupling, SideBearer, SpringNest, Vector, Wedge
+from vehicles.couplings import AxleBox, CentrePlate, Coupling, Rod, SideBearer, SpringNest, Vector, Wedge
 from vehicles.description import Body, BrakeShoe, Wheelset
 from vehicles.models.parts import SIDES, body_of_kind, filled, in_directions
 
@@ -109,6 +114,7 @@ def bogie_couplings(p: ParameterSet, number: int, middle: float, car_body: str) 
         for end in (1, -1):
             x = middle + end * p["wedge.longitudinal_position"]
             couplings.append(_wedge(p, side_frame, bolster, (x, lateral, p["wedge.height"]), end))
+    couplings += _braces(p, number, middle)
     couplings.append(_centre_plate(p, bolster, car_body, (middle, 0.0, p["centre_plate.height"])))
     for side, letter in SIDES:
         point = (middle, side * p["side_bearer.lateral_position"], p["centre_plate.height"])
@@ -137,7 +143,38 @@ def _nest(p: ParameterSet, side_frame: str, bolster: str, point: Vector) -> Spri
     return filled(SpringNest, p, "spring_nest", name=name, body_a=side_frame, body_b=bolster, point=point)
 
 
+def _braces(p: ParameterSet, number: int, middle: float) -> list[Rod]:
+    """Crossed rods between the side frames and between the wheelsets, of those that have a stiffness."""
+    frames = (f"side_frame_{number}R", f"side_frame_{number}L")
+    axles = (wheelset_name(number, -1), wheelset_name(number, 1))
+    frame_end = (p["frame_brace.longitudinal_position"], p["frame_brace.height"])
+    axle_end = (p["wheelset.wheelbase"] / 2, p["wheelset.radius"])
+    lateral = p["wheelset.axle_box_half_spacing"]
+    rods = [
+        Rod(
+            name=f"{part}_{number}{letter}",  # by the side of its leading end
+            body_a=bodies[0],
+            body_b=bodies[1],
+            point_a=(middle - reach, -side * lateral, height),
+            point_b=(middle + reach, side * lateral, height),
+            stiffness=p[f"{part}.stiffness"],
+            damping=p[f"{part}.damping"],
+        )
+        for part, (reach, height), both in (
+            ("frame_brace", frame_end, (frames, frames[::-1])),
+            ("cross_brace", axle_end, (axles, axles)),
+        )
+        for (side, letter), bodies in zip(SIDES, both, strict=True)
+    ]
+    return [rod for rod in rods if rod.stiffness > 0.0]
+
+
 def _wedge(p: ParameterSet, side_frame: str, bolster: str, point: Vector, end: int) -> Wedge:
+    if p["wedge.constant_damping"] not in (0.0, 1.0):
+        raise ValueError(
+            f"wedge.constant_damping {p['wedge.constant_damping']:g} must be 1 (control springs in the "
+            "bolster) or 0 (on the side frames)"
+        )
     return filled(
         Wedge,
         p,
@@ -149,6 +186,7 @@ def _wedge(p: ParameterSet, side_frame: str, bolster: str, point: Vector, end: i
         direction=end,
         slope=math.radians(p["wedge.slope"]),
         toe=math.radians(p["wedge.toe"]),
+        constant_damping=p["wedge.constant_damping"] == 1.0,
     )
 
 
@@ -163,6 +201,7 @@ def _centre_plate(p: ParameterSet, bolster: str, car_body: str, point: Vector) -
         point=point,
         stiffness=p["centre_plate.vertical_stiffness"],
         damping=p["centre_plate.vertical_damping"],
+        spherical=p["centre_plate.spherical"] == 1.0,
     )
 
 

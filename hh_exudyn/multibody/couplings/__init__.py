@@ -6,6 +6,7 @@
 `general`             pads, axle boxes, bushings, rods, bump stops
 `three_piece_bogie`   spring nests, wedges, centre plates, side bearers
 `passenger_bogie`     axle-box arms, dampers by a table, dampers in series with a spring
+`freight`             Lenoir suspension (Y25), UIC double link
 ====================  ==================================================================================
 
 A new coupling is a description in `vehicles.couplings`, a file here with its numbers and its law, and one

@@ -7,7 +7,7 @@ wheelset stands an axle box: it does not spin, and its bearings pass no moment a
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.kernel import inlined_kernel
-from hh_exudyn.multibody.couplings import general, passenger_bogie, three_piece_bogie
+from hh_exudyn.multibody.couplings import freight, general, passenger_bogie, three_piece_bogie
 from hh_exudyn.multibody.couplings.family import (
     Condition,
     Family,
@@ -24,6 +24,7 @@ FAMILIES: tuple[Family, ...] = (
     *general.FAMILIES,
     *three_piece_bogie.FAMILIES,
     *passenger_bogie.FAMILIES,
+    *freight.FAMILIES,
 )
 
 _law = one_law(FAMILIES)
@@ -86,7 +87,7 @@ def coupling_forces(
             couplings.numbers[i],
             Motion(displacement, rate, turn, matrix(rotation_a), rotation_b),
             Condition(
-                (before[0], before[1], before[2], before[3]),
+                (before[0], before[1], before[2], before[3], before[4], before[5]),
                 settle,
                 inputs.coupling_stiffness[i],
                 work.ledger[Ledger.FRICTION_POWER],

@@ -17,7 +17,7 @@ from hh_exudyn.multibody.vectors import Triple, cross, dot, triple
 from vehicles.couplings import Vector
 
 Matrix = tuple[Triple, Triple, Triple]
-Sliders = tuple[float, float, float, float]
+Sliders = tuple[float, float, float, float, float, float]
 RecordArray = np.ndarray[Any, np.dtype[np.void]]
 
 

@@ -129,7 +129,7 @@ def axle_box(p: AxleBoxNumbers, motion: Motion, condition: Condition) -> Reactio
             -load,
         ),
         (-p.roll_stiffness * axle[2], 0.0, p.yaw_stiffness * axle[0]),
-        (slider_x, slider_y, condition.slider[2], condition.slider[3]),
+        (slider_x, slider_y, *condition.slider[2:]),
         condition.friction_power - (force_x * v[0] + force_y * v[1]),
         condition.damper_power + (load - spring) * v[2],
     )

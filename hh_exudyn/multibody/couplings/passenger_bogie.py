@@ -142,7 +142,7 @@ def series_damper(p: SeriesDamperNumbers, motion: Motion, condition: Condition) 
     return Reaction(
         (on_b * p.axis[0], on_b * p.axis[1], on_b * p.axis[2]),
         (0.0, 0.0, 0.0),
-        (force, way, time, 0.0),
+        (force, way, time, 0.0, 0.0, 0.0),
         condition.friction_power,
         condition.damper_power + force * own_speed,
     )

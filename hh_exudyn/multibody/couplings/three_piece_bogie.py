@@ -13,12 +13,23 @@ from hh_exudyn.kernel import inlined_kernel
 from hh_exudyn.multibody.couplings.family import Condition, Family, Motion, Reaction, angle_of, turn_of
 from hh_exudyn.multibody.couplings.general import shear_friction
 from vehicles import force_laws
-from vehicles.couplings import CentrePlate, SideBearer, SpringNest, Wedge
-from vehicles.force_laws import clearance_stop, dry_friction, two_stage_spring
+from vehicles.couplings import CentrePlate, SideBearer, SpringNest, Vector, Wedge
+from vehicles.force_laws import (
+    FacesInYaw,
+    WedgeFaces,
+    WedgeForces,
+    clearance_stop,
+    shear_and_yaw_friction,
+    two_stage_spring,
+)
 
-RING_POINTS = 8
-_RING_X = np.cos(2.0 * np.pi * (np.arange(RING_POINTS) + 0.5) / RING_POINTS)
-_RING_Y = np.sin(2.0 * np.pi * (np.arange(RING_POINTS) + 0.5) / RING_POINTS)
+# contacts of a centre plate of radius 1, half of them on either ring: two-point Gauss integration over r dr
+_RING_POINTS = 6
+_INNER, _OUTER = math.sqrt(0.5 - math.sqrt(1 / 12)), math.sqrt(0.5 + math.sqrt(1 / 12))
+_AROUND = 2.0 * np.pi * (np.arange(_RING_POINTS) + 0.5) / _RING_POINTS
+RING_RADIUS = np.repeat([_INNER, _OUTER], _RING_POINTS)
+RING_X = RING_RADIUS * np.tile(np.cos(_AROUND), 2)
+RING_Y = RING_RADIUS * np.tile(np.sin(_AROUND), 2)
 
 
 class NestNumbers(NamedTuple):
@@ -39,11 +50,13 @@ class NestNumbers(NamedTuple):
     warp_damping: float
     stop_clearance: float
     stop_stiffness: float
+    rotation_clearance: float
+    rotation_stop_stiffness: float
 
 
 @inlined_kernel
 def nest(p: NestNumbers, motion: Motion, condition: Condition) -> Reaction:
-    """Two-stage springs with shear, rotational stiffness and lateral stops.
+    """Two-stage springs with shear, rotational stiffness, lateral and rotation stops.
 
     Arguments: see the head of this file.
     """
@@ -54,6 +67,7 @@ def nest(p: NestNumbers, motion: Motion, condition: Condition) -> Reaction:
     power += p.warp_damping * turn[2] ** 2
     spring = two_stage_spring(-d[2], p.first_stiffness, p.second_stiffness, p.second_from)
     stop = clearance_stop(d[1], p.stop_clearance, p.stop_stiffness)
+    lug = clearance_stop(angle[2], p.rotation_clearance, p.rotation_stop_stiffness)
     return Reaction(
         (
             -p.longitudinal_stiffness * d[0] - p.shear_damping * v[0],
@@ -63,7 +77,7 @@ def nest(p: NestNumbers, motion: Motion, condition: Condition) -> Reaction:
         (
             -p.roll_stiffness * angle[0] - p.roll_damping * turn[0],
             -p.pitch_stiffness * angle[1] - p.pitch_damping * turn[1],
-            -p.warp_stiffness * angle[2] - p.warp_damping * turn[2],
+            -p.warp_stiffness * angle[2] - p.warp_damping * turn[2] + lug,
         ),
         condition.slider,
         condition.friction_power,
@@ -72,87 +86,99 @@ def nest(p: NestNumbers, motion: Motion, condition: Condition) -> Reaction:
 
 
 class WedgeNumbers(NamedTuple):
-    """Numbers of a `Wedge`."""
+    """Numbers of a `Wedge`; ways, as of `Wedge.ways`: down the column, on the slope, of the spring."""
 
     direction: float
+    towards: Vector  # ways per way of the bolster towards the column
+    down: Vector  # ways per way of the bolster down
     spring_stiffness: float
-    spring_share: float
     compression: float
-    tan_face: float
-    toe: float
-    tan_force: float
-    tan_slope: float
+    sine: float
+    cosine: float
+    slope_cosine: float
+    toe_cosine: float
     friction: float
+    slope_friction: float
     stick_stiffness: float
     stick_damping: float
     width: float
 
 
-def _wedge_slopes(wedge: Wedge) -> dict[str, float]:
-    """Tangents of a wedge's face and of the direction of the force on it."""
-    return {"tan_face": math.tan(wedge.slope), "tan_force": math.tan(wedge.force_slope)}
+def _wedge_geometry(wedge: Wedge) -> dict[str, float | Vector]:
+    """Ways of a wedge, and the angles of its faces."""
+    towards, down = wedge.ways
+    angle = wedge.slope - wedge.toe
+    return {
+        "towards": towards,
+        "down": down,
+        "sine": math.sin(angle),
+        "cosine": math.cos(angle),
+        "slope_cosine": math.cos(wedge.slope),
+        "toe_cosine": math.cos(wedge.toe),
+    }
 
 
 @inlined_kernel
 def wedge(p: WedgeNumbers, motion: Motion, condition: Condition) -> Reaction:
     """Wedge on two lines: each moves down with the bolster, and when the bolster approaches the column.
 
-    Its travel follows slope and toe of the faces, its force the slope with the friction of the face; half of
-    spring and friction belongs to each line (sliders: compression and lateral of the first, of the second).
+    Half of spring and friction belongs to each line (sliders: down, across, slope of the first, of the
+    second). Forces on the bolster follow from the ways by virtual work. For the equilibrium the wedge has no
+    friction but across its column.
 
     Arguments: see the head of this file.
     """
     d, v, angle, turn = motion.displacement, motion.rate, angle_of(motion), turn_of(motion)
-    (down_0, across_0, down_1, across_1), settle = condition.slider, condition.settle
-    power = condition.friction_power
-    direction, tan_face = p.direction, p.tan_face
-    stiffness, stick_stiffness, stick_damping = (
-        0.5 * p.spring_stiffness,
+    slider, settle, power = condition.slider, condition.settle, condition.friction_power
+    faces = WedgeFaces(
+        p.sine,
+        p.cosine,
+        p.slope_cosine,
+        p.toe_cosine,
+        p.friction,
+        p.slope_friction,
         0.5 * p.stick_stiffness,
         0.5 * p.stick_damping,
     )
-    tan_toe, cos_toe = math.tan(p.toe), math.cos(p.toe)
+    stiffness = 0.5 * p.spring_stiffness
     force_x, force_y, force_z = 0.0, 0.0, 0.0
     moment_x, moment_z = 0.0, 0.0
+    first, second = slider[:3], slider[3:]
     for line in range(2):
         y = p.width * (0.5 - line)  # from the wedge's middle
-        ahead, ahead_rate = d[0] - angle[2] * y, v[0] - turn[2] * y
-        up, up_rate = d[2] + angle[0] * y, v[2] + turn[0] * y
-        along = (direction * ahead - up * tan_face) / (tan_face - tan_toe)
-        compression = p.compression + along
-        compression_rate = (direction * ahead_rate - up_rate * tan_face) / (tan_face - tan_toe)
-        down = down_0 if line == 0 else down_1
-        across = across_0 if line == 0 else across_1
-        column, rub, lateral, down, across = force_laws.wedge(
-            compression / cos_toe,
-            d[1],
-            compression / cos_toe if settle else down,
-            across,
-            compression_rate / cos_toe,
+        ahead, ahead_rate = p.direction * (d[0] - angle[2] * y), p.direction * (v[0] - turn[2] * y)
+        drop, drop_rate = -d[2] - angle[0] * y, -v[2] - turn[0] * y
+        way = (p.towards[0] * ahead + p.down[0] * drop, d[1], p.towards[1] * ahead + p.down[1] * drop)
+        rate = (
+            p.towards[0] * ahead_rate + p.down[0] * drop_rate,
             v[1],
-            stiffness * p.spring_share * cos_toe,
-            p.tan_slope,
-            math.inf if settle else p.friction,
-            stick_stiffness,
-            0.0 if settle else stick_damping,  # else a wedge in fast upward motion would pull
+            p.towards[1] * ahead_rate + p.down[1] * drop_rate,
         )
-        push = column * cos_toe - rub * math.sin(p.toe)  # of the wedge, from the column onto the bolster
-        lift = push * p.tan_force
-        force_x -= direction * push
-        force_y += lateral
+        spring = stiffness * (p.compression + p.towards[2] * ahead + p.down[2] * drop)
+        before = first if line == 0 else second
+        if settle and spring > 0.0:
+            rub = WedgeForces(
+                0.0, faces.stick_stiffness * (way[1] - before[1]), 0.0, (way[0], before[1], way[2])
+            )
+        else:
+            rub = force_laws.wedge(way, before, rate, spring, faces)
+        spring = max(spring, 0.0)
+        push = -p.direction * (spring * p.towards[2] + rub.down * p.towards[0] + rub.slope * p.towards[1])
+        lift = spring * p.down[2] + rub.down * p.down[0] + rub.slope * p.down[1]
+        force_x += push
+        force_y -= rub.across
         force_z += lift
         moment_x += lift * y
-        moment_z += direction * push * y
-        taken = direction * push * ahead_rate - lateral * v[1] - lift * up_rate
-        power += taken - stiffness * max(compression, 0.0) * compression_rate
+        moment_z -= push * y
+        power += rub.down * rate[0] + rub.across * rate[1] + rub.slope * rate[2]
         if line == 0:
-            down_0, across_0 = down, across
+            first = rub.slider
         else:
-            down_1, across_1 = down, across
+            second = rub.slider
     return Reaction(
         (force_x, force_y, force_z),
         (moment_x, 0.0, moment_z),
-        (down_0, across_0, down_1, across_1),
+        (*first, *second),
         power,
         condition.damper_power,
     )
@@ -167,68 +193,62 @@ class PlateNumbers(NamedTuple):
     friction: float
     stick_stiffness: float
     stick_damping: float
+    yaw_stiffness: float
+    yaw_damping: float
     rim_clearance: float
     rim_stiffness: float
+    spherical: float  # 1 or 0
 
 
 @inlined_kernel
 def plate(p: PlateNumbers, motion: Motion, condition: Condition) -> Reaction:
-    """Centre plate: a ring of one-sided contacts, dry friction in shear and yaw, and the rim.
+    """Centre plate: two rings of one-sided contacts, dry friction in shear and yaw, and the rim.
 
-    The bounds of shear (mu N) and yaw (2/3 mu N radius) are independent: sliding in yaw does not
-    reduce the resistance to shear, of little effect within the rim's clearance.
+    Shear and yaw share one bound, (force / mu N)^2 + (torque / mu N arm)^2 <= 1, the ellipsoid near the limit
+    surface of a pressed face (S. Goyal, A. Ruina and J. Papadopoulos, Wear 143, 1991; R. D. Howe and
+    M. R. Cutkosky, Int. J. Robotics Research 15, 1996), with the arm of the loads that stand on the rings.
 
     Arguments: see the head of this file.
     """
     d, v, angle, turn = motion.displacement, motion.rate, angle_of(motion), turn_of(motion)
-    slider, settle, power = condition.slider, condition.settle, condition.damper_power
-    radius, stiffness, damping = p.radius, p.stiffness / RING_POINTS, p.damping / RING_POINTS
+    slider, power = condition.slider, condition.damper_power
+    stiffness, damping = p.stiffness / RING_X.size, p.damping / RING_X.size
+    reach = 0.0 if p.spherical > 0.5 else p.radius  # of the contacts, in tilting
     load = 0.0
+    arm = 0.0
     moment_x = 0.0
     moment_y = 0.0
-    for k in range(RING_POINTS):
-        x = radius * _RING_X[k]
-        y = radius * _RING_Y[k]
+    for k in range(RING_X.size):
+        x = reach * RING_X[k]
+        y = reach * RING_Y[k]
         compression = -(d[2] + angle[0] * y - angle[1] * x)
         if compression > 0.0:
             compression_rate = -(v[2] + turn[0] * y - turn[1] * x)
             force = max(stiffness * compression + damping * compression_rate, 0.0)
             power += (force - stiffness * compression) * compression_rate
             load += force
+            arm += force * p.radius * RING_RADIUS[k]
             moment_x += force * y
             moment_y -= force * x
-    force_x, force_y, slider_x, slider_y = shear_friction(
-        motion,
-        (p.stick_stiffness, p.stick_stiffness),
-        (p.stick_damping, p.stick_damping),
-        p.friction * load,
-        condition,
+    arm = arm / load if load > 0.0 else p.radius
+    rub_x, rub_y, rub_yaw, sliders = shear_and_yaw_friction(
+        (d[0], d[1], angle[2]),
+        (slider[0], slider[1], slider[2]),
+        (v[0], v[1], turn[2]),
+        FacesInYaw(p.stick_stiffness, p.yaw_stiffness, p.stick_damping, p.yaw_damping),
+        math.inf if condition.settle else p.friction * load,
+        arm,
     )
-    # two thirds of the radius: friction torque of a uniformly loaded flat disc
-    arm = 2.0 / 3.0 * radius
-    torque, _, slider_yaw, _ = dry_friction(
-        angle[2],
-        0.0,
-        slider[2],
-        0.0,
-        turn[2],
-        0.0,
-        p.stick_stiffness * arm**2,
-        p.stick_stiffness * arm**2,
-        p.stick_damping * arm**2,
-        p.stick_damping * arm**2,
-        math.inf if settle else p.friction * load * arm,
-    )
-    friction_power = condition.friction_power - (force_x * v[0] + force_y * v[1] + torque * turn[2])
+    friction_power = condition.friction_power - (rub_x * v[0] + rub_y * v[1] + rub_yaw * turn[2])
     shear = math.hypot(d[0], d[1])
     if shear > p.rim_clearance:
         rim = -p.rim_stiffness * (shear - p.rim_clearance) / shear
-        force_x += rim * d[0]
-        force_y += rim * d[1]
+        rub_x += rim * d[0]
+        rub_y += rim * d[1]
     return Reaction(
-        (force_x, force_y, load),
-        (moment_x, moment_y, torque),
-        (slider_x, slider_y, slider_yaw, slider[3]),
+        (rub_x, rub_y, load),
+        (moment_x, moment_y, rub_yaw),
+        (*sliders, *slider[3:]),
         friction_power,
         power,
     )
@@ -270,7 +290,7 @@ def side_bearer(p: SideBearerNumbers, motion: Motion, condition: Condition) -> R
     return Reaction(
         (force_x, force_y, load),
         (0.0, 0.0, 0.0),
-        (slider_x, slider_y, condition.slider[2], condition.slider[3]),
+        (slider_x, slider_y, *condition.slider[2:]),
         condition.friction_power - (force_x * v[0] + force_y * v[1]),
         power,
     )
@@ -278,7 +298,7 @@ def side_bearer(p: SideBearerNumbers, motion: Motion, condition: Condition) -> R
 
 FAMILIES = (
     Family("spring_nest", SpringNest, NestNumbers, nest),
-    Family("wedge", Wedge, WedgeNumbers, wedge, _wedge_slopes),
+    Family("wedge", Wedge, WedgeNumbers, wedge, _wedge_geometry),
     Family("centre_plate", CentrePlate, PlateNumbers, plate),
     Family("side_bearer", SideBearer, SideBearerNumbers, side_bearer),
 )

@@ -11,7 +11,7 @@ import pytest
 from coupling_bench import DRAWING, NUMBERS, SIZE, STILL, WAGON, Bench, random_state, without_loss
 from scipy.spatial.transform import Rotation
 
-from hh_exudyn.multibody.couplings.three_piece_bogie import RING_POINTS
+from hh_exudyn.multibody.couplings.three_piece_bogie import RING_X, RING_Y
 from hh_exudyn.multibody.model import Ledger
 from vehicles.couplings import AxleBox, CentrePlate, SideBearer, SpringNest, Wedge
 
@@ -78,17 +78,20 @@ def stored_energy(position, rotation):
                 total += (c.longitudinal_stiffness * d[0] ** 2 + c.lateral_stiffness * d[1] ** 2) / 2
                 total += c.stop_stiffness * max(abs(d[1]) - c.stop_clearance, 0.0) ** 2 / 2
                 total += np.dot([c.roll_stiffness, c.pitch_stiffness, c.warp_stiffness], turn**2) / 2
+                warped = max(abs(turn[2]) - c.rotation_clearance, 0.0)
+                total += c.rotation_stop_stiffness * warped**2 / 2
             case Wedge():
                 for y in (c.width / 2, -c.width / 2):
                     # down with the bolster, down its slope, and off a column that closes by the toe
-                    down = -(d[2] + turn[0] * y) * np.tan(c.slope) + c.direction * (d[0] - turn[2] * y)
+                    ahead, drop = c.direction * (d[0] - turn[2] * y), -d[2] - turn[0] * y
+                    down = drop * np.tan(c.slope) + ahead
                     way = c.compression + down / (np.tan(c.slope) - np.tan(c.toe))
+                    way -= drop if c.constant_damping else 0.0
                     total += c.spring_stiffness / 2 * max(way, 0.0) ** 2 / 2
             case CentrePlate():
-                around = 2 * np.pi * (np.arange(RING_POINTS) + 0.5) / RING_POINTS
-                x, y = c.radius * np.cos(around), c.radius * np.sin(around)
+                x, y = c.radius * RING_X, c.radius * RING_Y
                 compression = -(d[2] + turn[0] * y - turn[1] * x)
-                total += c.stiffness / RING_POINTS * (np.maximum(compression, 0.0) ** 2).sum() / 2
+                total += c.stiffness / RING_X.size * (np.maximum(compression, 0.0) ** 2).sum() / 2
                 total += c.rim_stiffness * max(np.hypot(d[0], d[1]) - c.rim_clearance, 0.0) ** 2 / 2
             case SideBearer():
                 total += c.stiffness * max(c.preload / c.stiffness - d[2], 0.0) ** 2 / 2

@@ -7,7 +7,7 @@ import pytest
 from coupling_bench import DRAWING, NUMBERS, SIZE, STILL, WAGON, Bench, first, only, random_state
 from scipy.spatial.transform import Rotation
 
-from hh_exudyn.multibody.couplings.three_piece_bogie import RING_POINTS
+from hh_exudyn.multibody.couplings.three_piece_bogie import RING_RADIUS, RING_X, RING_Y
 from hh_exudyn.multibody.model import Ledger
 from vehicles.couplings import AxleBox, AxleBoxPad, CentrePlate, SideBearer, SpringNest, Wedge
 
@@ -64,15 +64,29 @@ def test_nest_stops_at_the_gibs(demo):
         assert force[1] == pytest.approx(-2 * (c.lateral_stiffness * lateral + c.stop_stiffness * beyond))
 
 
+def test_rotation_stops_limit_the_warp(demo):
+    """Free up to the clearance but for the coils, then the lugs' stiffness, of both side frames."""
+    bench = Bench(only(SpringNest), demo)
+    c = first(SpringNest)
+    for yaw in (0.5 * c.rotation_clearance, -0.9 * c.rotation_clearance, 2.0 * c.rotation_clearance):
+        beyond = np.sign(yaw) * max(abs(np.sin(yaw)) - c.rotation_clearance, 0.0)
+        _, torque = bench.displaced("bolster_1", turn=(0.0, 0.0, yaw))
+        # at half the spacing, the coils shear as well
+        shear = c.longitudinal_stiffness * c.point[1] ** 2 * np.sin(yaw) * np.cos(yaw)
+        moment = c.warp_stiffness * np.sin(yaw) + c.rotation_stop_stiffness * beyond
+        assert torque[2] == pytest.approx(-2 * (moment + shear), rel=2e-3)
+
+
 def loop_area(low, high, wedge):
     """Area [J] of a wedge's friction loop between two ways down its column: sticking flanks, sliding bounds.
 
-    Sliding friction is mu Fs / (tan(a) -+ mu) upwards and downwards; sticking rises with the contact's
-    stiffness (vehicles.md 1.3). Corners by intersecting lines, area by the shoelace formula.
+    Sliding friction is mu Fs cos a / (sin d -+ mu cos d) upwards and downwards, with d = a - t; sticking
+    rises with the contact's stiffness (vehicles.md 1.3). Corners by intersecting lines, area by the shoelace
+    formula.
     """
-    k, mu = wedge.spring_stiffness * wedge.spring_share * np.cos(wedge.toe), wedge.friction
-    up = mu * k / (wedge.tan_slope - mu)
-    down = -mu * k / (wedge.tan_slope + mu)
+    k, mu, angle = wedge.spring_stiffness * np.cos(wedge.toe), wedge.friction, wedge.slope - wedge.toe
+    up = mu * k * np.cos(wedge.slope) / (np.sin(angle) - mu * np.cos(angle))
+    down = -mu * k * np.cos(wedge.slope) / (np.sin(angle) + mu * np.cos(angle))
     stick = wedge.stick_stiffness
     # from each turning point (c, slope c) along the flank of slope `stick` to the other bound
     below = high * (stick - up) / (stick - down)
@@ -103,8 +117,9 @@ def test_wedge_loop(demo):
 
     The work of the forces, the closed form, and the friction power over time agree.
     """
-    bench = Bench(only(Wedge), demo)
-    c = first(Wedge)
+    smooth = {"slope_friction": 0.0}  # with a toe, the slope slips a little as well
+    bench = Bench(only(Wedge, **smooth), demo)
+    c = replace(first(Wedge), **smooth)
     low, high = 0.04, 0.07
     down = np.linspace(low, high, 3001)
     cycle = np.concatenate([down, down[-2::-1]])
@@ -118,34 +133,76 @@ def test_wedge_loop(demo):
     assert friction == pytest.approx(expected, rel=1e-3)
 
 
+def disc_arm(plate):
+    """Friction arm of the rings, nearly that of a uniformly loaded disc."""
+    arm = plate.radius * RING_RADIUS.mean()
+    assert arm == pytest.approx(2 / 3 * plate.radius, rel=0.012)
+    return arm
+
+
 def test_centre_plate_yaw_torque_saturates(demo):
     """Elastic first, then (2/3) mu N R, however far; and it comes back by the same elastic slope."""
     bench = Bench(only(CentrePlate), demo)
     c = first(CentrePlate)
-    arm = 2 / 3 * c.radius
     sunk = 4e-4
     load = c.stiffness * sunk
-    bound = c.friction * load * arm
-    for yaw in (1e-6, 1e-3, 2e-3, 0.02, 0.05):
+    bound = c.friction * load * disc_arm(c)
+    for yaw in (1e-6, 1e-4, 2e-4, 0.02, 0.05):
         force, torque = bench.displaced("bolster_1", (0.0, 0.0, sunk), (0.0, 0.0, yaw))
         bench.commit()
         assert force[2] == pytest.approx(-load)
-        assert torque[2] == pytest.approx(-min(c.stick_stiffness * arm**2 * np.sin(yaw), bound), rel=1e-9)
-    turned_back = np.arcsin(np.sin(yaw) - 0.5 * bound / (c.stick_stiffness * arm**2))
+        assert torque[2] == pytest.approx(-min(c.yaw_stiffness * np.sin(yaw), bound), rel=1e-9)
+    turned_back = np.arcsin(np.sin(yaw) - 0.5 * bound / c.yaw_stiffness)
     _, torque = bench.displaced("bolster_1", (0.0, 0.0, sunk), (0.0, 0.0, turned_back))
     assert torque[2] == pytest.approx(-0.5 * bound, rel=1e-9)
     assert bound > 5e3
+    assert 2e-4 < bound / c.yaw_stiffness < 2e-3  # where it breaks away
+
+
+def test_shear_and_yaw_of_the_centre_plate_share_one_bound(demo):
+    """Once it slides in yaw, a shear of any size turns the friction: the torque gives way."""
+    c = first(CentrePlate)
+    sunk = 4e-4
+    bound, arm = c.friction * c.stiffness * sunk, disc_arm(c)
+    torques = []
+    for shear in (0.0, 1e-3, 5e-3):
+        bench = Bench(only(CentrePlate, rim_clearance=1.0), demo)
+        bench.displaced("bolster_1", (0.0, 0.0, sunk), (0.0, 0.0, 0.02))
+        bench.commit()
+        force, torque = bench.displaced("bolster_1", (shear, 0.0, sunk), (0.0, 0.0, 0.02))
+        assert np.hypot(force[0] / bound, torque[2] / (bound * arm)) == pytest.approx(1.0, rel=1e-9)
+        torques.append(-torque[2] / (bound * arm))
+    assert torques[0] == pytest.approx(1.0)
+    assert torques[0] > torques[1] > torques[2]
+    assert torques[2] < 0.2
+
+
+def test_the_rings_are_a_disc(demo):
+    """Tilting stiffness, load and friction arm of uniform contact over a disc: K R^2/4, K, 2/3 R."""
+    c = first(CentrePlate)
+    assert (RING_X**2).mean() == pytest.approx(1 / 4, rel=1e-12)
+    assert (RING_X * RING_Y).mean() == pytest.approx(0.0, abs=1e-12)
+    assert RING_RADIUS.mean() == pytest.approx(2 / 3, rel=0.012)
+    bench = Bench(only(CentrePlate), demo)
+    roll, sunk = 1e-4, 4e-4
+    turn = (roll, 0.0, 0.0)
+    arm = np.array(c.point) - DRAWING[NUMBERS["bolster_1"]]
+    turned = Rotation.from_rotvec(turn).apply(arm)
+    force, torque = bench.displaced("bolster_1", arm - turned + [0.0, 0.0, sunk], turn)
+    moment = torque - np.cross(turned, force)
+    assert moment[0] == pytest.approx(-c.stiffness * c.radius**2 / 4 * roll, rel=1e-3)
 
 
 def test_centre_plate_tilts_over_its_ring(demo):
-    """A plate that stands on one half carries its load within the ring: its arm nears R cos(pi/8)."""
+    """A plate that stands on one edge: its arm is that of the outermost contacts, or between two of them."""
     bench = Bench(only(CentrePlate), demo)
     c = first(CentrePlate)
-    outermost = c.radius * np.cos(np.pi / RING_POINTS)
-    for roll in (1e-3, 0.01):
-        for axis in (0, 1):
+    for axis, places in ((0, RING_Y), (1, RING_X)):
+        outermost = c.radius * places.max()
+        inner = c.radius * np.unique(places.round(12))[-2]
+        for roll in (1e-3, 0.01):
             turn = [roll if k == axis else 0.0 for k in range(3)]
-            sunk = -0.9 * roll * outermost  # the plates part in the middle and meet on one edge
+            sunk = -0.5 * roll * (outermost + inner)  # only the outermost contacts meet
             # about the plate's middle, so that it only tilts there
             arm = Rotation.from_rotvec(turn).apply(np.array(c.point) - DRAWING[NUMBERS["bolster_1"]])
             offset = np.array(c.point) - DRAWING[NUMBERS["bolster_1"]] - arm

@@ -211,10 +211,36 @@ def test_nonsense_is_refused(kind, changes, message):
     ("coupling", "message"),
     [
         (replace(BUSHING, body_b="wheelset_1"), "axle's centre line"),
-        (replace(ROD, body_a="wheelset_1"), "make the wheelset its body B"),
+        (replace(ROD, body_a="wheelset_1"), "axle's centre line"),
+        (replace(STOP, body_a="wheelset_1"), "make the wheelset its body B"),
         (replace(ROD, body_b="wheelset_1"), "axle's centre line"),
     ],
 )
 def test_a_wheelset_spins(coupling, message):
     with pytest.raises(ValueError, match=message):
         replace(WAGON, couplings=(coupling,))
+
+
+def test_a_rod_between_two_axles_does_not_feel_their_spin(demo):
+    """Cross-anchors: force and torque stay as they are while both wheelsets turn; none acts on the spin."""
+    axles = [WAGON.body(f"wheelset_{k}").position for k in (2, 1)]
+    ends = [(x, y, z) for (x, _, z), y in zip(axles, (-1.0, 1.0), strict=True)]
+    rod = Rod("anchor", "wheelset_2", "wheelset_1", *ends, 5e6, 1e4)
+    bench = Bench(replace(WAGON, couplings=(rod,)), demo)
+    rng = np.random.default_rng(1)
+    position = DRAWING + 3e-3 * rng.uniform(-1, 1, (SIZE, 3))
+    small = Rotation.from_rotvec(3e-3 * rng.uniform(-1, 1, (SIZE, 3)))
+    velocity = rng.uniform(-1, 1, (SIZE, 3))
+    found = []
+    for turn in (0.0, 0.4, 2.5):
+        spin = np.zeros((SIZE, 3))
+        spin[[NUMBERS["wheelset_1"], NUMBERS["wheelset_2"]], 1] = turn, 0.7 * turn
+        rotation = small * Rotation.from_rotvec(spin)
+        bench.place(position, rotation)
+        found.append(bench.forces(velocity, rotation.apply(20.0 * spin)))
+        axle = rotation.as_matrix()[:, :, 1]
+        assert np.abs((found[-1][1] * axle).sum(axis=1)).max() < 1e-7 * np.abs(found[0][1]).max()
+    assert np.abs(found[0][0]).max() > 1e3
+    for force, torque in found[1:]:
+        assert force == pytest.approx(found[0][0], abs=1e-9 * np.abs(force).max())
+        assert torque == pytest.approx(found[0][1], abs=1e-9 * np.abs(torque).max())

@@ -61,7 +61,7 @@ def test_a_coupling_from_outside_beside_those_of_the_package():
     own = Snubber("snubber", "bolster_1", "car_body", (0.0, 0.0, 0.0), (1.0, 2.0, 3e4))
     rod = Rod("rod", "bolster_1", "car_body", (0.0, 0.0, 0.0), (2.0, 0.0, 0.0), 8e6, 0.0)
     kinds, numbers = packed((rod, own), EVERY)
-    condition = Condition((1.0, 2.0, 3.0, 4.0), False, 1.0, 5.0, 7.0)
+    condition = Condition((1.0, 2.0, 3.0, 4.0, 5.0, 6.0), False, 1.0, 5.0, 7.0)
     motion = Motion((2.01, 0.0, 0.0), (0.0, 0.0, 0.2), (0.0, 0.0, 0.0), LEVEL, LEVEL)
     pulled = answer(kinds, numbers, 0, motion, condition)
     assert pulled.force == pytest.approx((-8e4, 0.0, 0.0))
