@@ -14,6 +14,7 @@
 `outline`        a box for every body, for drawings
 `record`         the record of a vehicle in the catalogue
 `catalogue`      the vehicles by name, those of other packages among them
+`whole`          a whole vehicle as a file, written by hand or exported
 `variants`       a vehicle with some numbers changed by a small file
 `statics`        axle loads of a vehicle at rest
 `start`          place of a vehicle on its track at the beginning of a run

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 FIGURES = (".png", ".pdf", ".svg")
 TABLES = (".csv",)
+VEHICLES = (".toml",)
 RECORDINGS = ()  # of any suffix
 
 SkipBrokenParts = Annotated[
