@@ -1,7 +1,11 @@
 """The command ``hh-exudyn``.
 
 =============  ======================================================================================
-`app`          the command itself: run, demo, playback
+`app`          the command itself
+`run`          run, demo, playback
+`changes`      other inputs for a case: --vehicle, --set, --vary
+`matrix`       many runs at once
+`compare`      runs beside each other
 `contact`      conicity, patch
 `validate`     the toolkit beside numbers from outside
 `creep_curve`  creep force over creepage by every theory

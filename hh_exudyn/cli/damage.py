@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from damage.report import DamageReport
     from damage.surface.wheel_surface import Wheel
     from damage.wear.films import WearFilms
-    from hh_exudyn.case import Case
     from hh_exudyn.log.store import Run
 
 
@@ -115,7 +114,7 @@ def _assessed(run: "Run", skip_bad_rows: bool = False, **options: Any) -> "Damag
     """The damage of a run; a log without the necessary columns or with bad rows is bad input."""
     from damage.report import assess
 
-    case = _case(run)
+    case = inputs.case_of(run)
     with _progress(run, "halfspace" in (options.get("normal"), options.get("theory"))) as progress:
         try:
             return assess(
@@ -137,7 +136,7 @@ def _films(run: "Run") -> "WearFilms":
     from damage.wear.films import WearFilms
     from vehicles.stored import from_json
 
-    case = _case(run)
+    case = inputs.case_of(run)
     described = case.described_vehicle() if run.vehicle_text is None else from_json(run.vehicle_text)
     table = case.film_table(len(described.wheelsets))
     units = [wheelset.unit for wheelset in described.wheelsets]
@@ -163,11 +162,22 @@ def _progress(run: "Run", slow: bool) -> Iterator[Callable[[int], None] | None]:
         yield lambda done: bar.update(task, completed=done)
 
 
-def _case(run: "Run") -> "Case":
-    """The case of a run."""
-    from hh_exudyn.case import Case
+def wear_table(run: "Run", unfinished: bool) -> "pyarrow.Table":
+    """The damage of a run with all defaults, a row for each wheel.
 
-    return Case.from_toml(run.case_text, source=f"{run.directory}/case.toml", folder=run.directory)
+    Parameters
+    ----------
+    run
+        The run.
+    unfinished
+        Whether one that ended early is taken.
+
+    Raises
+    ------
+    BadInput
+        As `damage` refuses it.
+    """
+    return _assessed(run, films=_films(run), unfinished=unfinished).to_table()
 
 
 def show_damage(
@@ -274,7 +284,7 @@ def _figures(run: "Run", report: "DamageReport", distance: float) -> "dict[str, 
     from damage.figures.working_points import shakedown_figure
     from damage.patch_strips import TREAD
 
-    surface, profile = report.surface, _case(run).wheel
+    surface, profile = report.surface, inputs.case_of(run).wheel
     figures = {
         "wear.png": wear_figure(report, profile),
         "fatigue.png": fatigue_figure(report, profile),
