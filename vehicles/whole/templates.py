@@ -2,6 +2,7 @@
 
 import difflib
 from collections.abc import Callable
+from importlib.resources import files
 
 from vehicles.variants import find_variant
 from vehicles.whole.writing import to_toml
@@ -24,8 +25,13 @@ def _catalogued(vehicle: str, title: str) -> str:
     return to_toml(find_variant(vehicle).document(), head)
 
 
+def _y25() -> str:
+    return files("vehicles").joinpath("data/y25_wagon.toml").read_text(encoding="utf-8")
+
+
 TEMPLATES: dict[str, Callable[[], str]] = {
     "three_piece_wagon": lambda: _catalogued("iore_wagon_loaded", "A wagon on two three-piece bogies."),
+    "y25_wagon": _y25,
     "co_co": lambda: _catalogued("iore_locomotive", "A locomotive on two bogies of three driven wheelsets."),
 }
 """Text of every template by name."""
