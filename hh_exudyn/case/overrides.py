@@ -24,6 +24,7 @@ from vehicles.variants import variant_of_table
 
 SOURCE = "--set"  # of the numbers of a vehicle
 _VEHICLE = "vehicle"
+_OPEN = "wheel_profiles"  # table with keys of its own
 _STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
 _WITH_UNIT = re.compile(r"\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s+(\S.*?)\s*")
 
@@ -50,7 +51,7 @@ def overridden(case: Case, changes: Mapping[str, Any]) -> Case:
         path = isinstance(given, str) and is_path(given)
         case = case.with_changes(vehicle=os.path.realpath(given) if path else given)
     known = frozenset(dict(_keys(Case)))
-    of_vehicle = {key: value for key, value in changes.items() if _plain(key) not in known}
+    of_vehicle = {key: value for key, value in changes.items() if not _of_case(key, known)}
     nested: dict[str, Any] = {}
     for key, value in changes.items():
         if key not in of_vehicle:
@@ -70,7 +71,7 @@ def value_of_text(key: str, text: str) -> Any:
     text : str
         The value.
     """
-    if set(_kinds(dict(_keys(Case)).get(_plain(key)))) <= {str, NoneType}:
+    if key.startswith(f"{_OPEN}.") or set(_kinds(dict(_keys(Case)).get(_plain(key)))) <= {str, NoneType}:
         return text.strip().strip("\"'")
     try:
         return tomllib.loads(f"value = {text}")["value"]
@@ -130,6 +131,11 @@ def _kinds(annotation: Any) -> Iterator[Any]:
         yield from _kinds(kind)
     if not inner:
         yield annotation
+
+
+def _of_case(key: str, known: frozenset[str]) -> bool:
+    """Whether a key is one of the case: a known one, or any in the table of the wheels."""
+    return _plain(key) in known or key.split(".")[0] == _OPEN
 
 
 def _plain(key: str) -> str:

@@ -13,8 +13,8 @@ from typing import Any
 
 import tomli_w
 
-from hh_exudyn.case.case import FILE_KEYS, Case
-from hh_exudyn.case.fields import is_path
+from hh_exudyn.case.case import Case
+from hh_exudyn.case.files import named_files
 from hh_exudyn.case.vehicle import is_stored, variant_behind
 from vehicles.description import Vehicle
 from vehicles.stored import read_vehicle, to_json
@@ -89,11 +89,8 @@ def _vehicle(case: Case, vehicle: Vehicle | None) -> str:
 
 def _places(data: dict[str, Any]) -> Iterator[tuple[dict[str, Any], str]]:
     """Tables and keys of a dumped case under which the path of a file stands."""
+    yield from named_files(data)
     track = data["track"]
-    for table in (data, track, *track.get("sections", ())):
-        for key in FILE_KEYS:
-            if isinstance(table.get(key), str) and is_path(table[key]):
-                yield table, key
     if "alignment" in track:
         yield track, "alignment"
     if "centre_line" in track:

@@ -100,7 +100,7 @@ def _names(folders: Sequence[Path]) -> list[str]:
 def _results(run: "Run", unfinished: bool) -> "list[Extreme]":
     from damage.extremes import extremes
     from damage.summary import steady_window, wheelset_summary
-    from hh_exudyn.cli.damage import wear_table
+    from hh_exudyn.cli.reports import wear_table
 
     return extremes(wheelset_summary(run, steady_window(run)), wear_table(run, unfinished))
 
