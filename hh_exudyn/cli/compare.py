@@ -106,34 +106,38 @@ def _results(run: "Run", unfinished: bool) -> "list[Extreme]":
 
 
 def _print(names: list[str], differing: dict[str, list[Any]], results: "list[list[Extreme]]") -> None:
-    """Inputs and results, a column for each run; many runs in rows."""
-    head = ("input", *names) if len(names) <= _MOST_COLUMNS else ("run", *differing)
-    if differing:
-        table = output.new_table("Inputs that differ", head)
-        table.columns[0].justify = "left"
-        for cells in _turned(names, differing, head[0] == "run"):
-            table.add_row(*cells)
-        output.print_table(table)
-    else:
+    """The runs by number, then inputs and results."""
+    numbers = [str(number) for number in range(1, len(names) + 1)]
+    for number, name in zip(numbers, names, strict=True):
+        output.print_line(f"{number}: {name}")
+    if not differing:
         output.print_line("all inputs are the same")
+    else:
+        rows = {key: [_value(value) for value in values] for key, values in differing.items()}
+        if len(names) <= _MOST_COLUMNS:
+            _print_table(
+                "Inputs that differ", ["input", *numbers], [[key, *row] for key, row in rows.items()]
+            )
+        else:
+            runs = [list(row) for row in zip(numbers, *rows.values(), strict=True)]
+            _print_table("Inputs that differ", ["run", *rows], runs)
     quantities = [f"{one.quantity} [{one.unit}]" for one in results[0]]
-    table = output.new_table("Results, the largest with its wheel", ("run", *quantities))
-    table.columns[0].justify = "left"
-    for name, row in zip(names, results, strict=True):
-        table.add_row(name, *(_shown(one) for one in row))
-    output.print_table(table)
+    lines = [[number, *(_shown(one) for one in row)] for number, row in zip(numbers, results, strict=True)]
+    _print_table("Results, the largest with its wheel", ["run", *quantities], lines)
     output.print_line("tread wear over the whole run, else means of its last fifth; Y is positive outwards")
 
 
-_MOST_COLUMNS = 4  # runs that stand beside each other
+_MOST_COLUMNS = 8  # runs that stand beside each other
 
 
-def _turned(names: list[str], differing: dict[str, list[Any]], in_rows: bool) -> list[list[str]]:
-    """Cells of the table of inputs."""
-    rows = [[_value(value) for value in values] for values in differing.values()]
-    if not in_rows:
-        return [[key, *cells] for key, cells in zip(differing, rows, strict=True)]
-    return [[name, *cells] for name, *cells in zip(names, *rows, strict=True)]
+def _print_table(title: str, head: list[str], lines: list[list[str]]) -> None:
+    table = output.new_table(title, tuple(head))
+    for column in table.columns:
+        column.no_wrap, column.overflow = False, "fold"
+    table.columns[0].justify = "left"
+    for line in lines:
+        table.add_row(*line)
+    output.print_table(table)
 
 
 def _value(value: Any) -> str:
@@ -142,7 +146,7 @@ def _value(value: Any) -> str:
 
 def _shown(one: "Extreme") -> str:
     text = output.NOTHING if one.value != one.value else f"{one.value:.4g}"
-    return f"{text}\u00a0{one.wheel}"
+    return f"{text} {one.wheel}"
 
 
 def _table(names: list[str], differing: dict[str, list[Any]], results: "list[list[Extreme]]") -> Any:

@@ -39,7 +39,7 @@ def register(app: typer.Typer) -> None:
 def run(
     case: inputs.CaseFile,
     out_folder: inputs.NewFolder,
-    vehicle: OtherVehicle = None,
+    vehicle_: OtherVehicle = None,
     set_: Settings = None,
     vary: Variations = None,
     workers: Annotated[
@@ -55,7 +55,7 @@ def run(
     once; the same command again goes on with what is left.
     """
     with output.errors_in_one_line(out_folder):
-        changed = changed_case(case, vehicle, set_)
+        changed = changed_case(case, vehicle_, set_)
         inputs.check_range("--workers", workers, 1, 1024)
         if vary:
             run_matrix(varied_cases(changed, vary), out_folder, workers)
