@@ -15,9 +15,7 @@ if TYPE_CHECKING:
 
 OtherVehicle = Annotated[
     str | None,
-    typer.Option(
-        "--vehicle", metavar="NAME|FILE", help="Another vehicle: a name of the catalogue, or a vehicle file."
-    ),
+    typer.Option("--vehicle", metavar="NAME|FILE", help="Another vehicle: a name or a vehicle file."),
 ]
 Settings = Annotated[
     list[str] | None,

@@ -121,7 +121,7 @@ def test_a_template_is_a_vehicle_with_an_explained_file(name: str, tmp_path: Pat
     path = tmp_path / "mine.toml"
     said("new", name, "-o", path)
     assert path.read_text().startswith("# ")
-    assert "wheelsets" in said("show", path)
+    assert "Wheelsets at rest" in said("show", path)
     assert max(len(line) for line in path.read_text().splitlines() if line.startswith("#")) <= 120
 
 
