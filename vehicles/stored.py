@@ -70,8 +70,9 @@ def read_vehicle(path: Path | str) -> Vehicle:
     ValueError
         The file cannot be read, or is not a vehicle of this version.
     """
+    text = _read_text(path)
     try:
-        return from_json(_read_text(path))
+        return from_json(text)
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from None
 
@@ -92,8 +93,10 @@ def origin_in(text: str) -> dict[str, Any] | None:
 
 
 def _read_text(path: Path | str) -> str:
-    """A text file (UTF-8); one that cannot be read is a ValueError."""
+    """A text file (UTF-8); one that cannot be read is a ValueError that begins with its path."""
     try:
         return Path(path).read_text(encoding="utf-8")
     except OSError as error:
-        raise ValueError(f"cannot be read: {error.strerror}") from None
+        raise ValueError(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{path}: not UTF-8 at byte {error.start}") from None

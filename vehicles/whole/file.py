@@ -49,7 +49,10 @@ def _of_toml(content: bytes, name: str) -> Document:
 @lru_cache(maxsize=8)
 def _of_json(content: bytes, name: str) -> Document:
     """The document in a run's folder: the one that the vehicle was written in, if it is the same."""
-    text = content.decode("utf-8")
+    try:
+        text = content.decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise ValueError(f"not UTF-8 at byte {error.start}") from None
     vehicle = from_json(text)
     origin = origin_in(text)
     if origin is not None and is_whole(origin):
