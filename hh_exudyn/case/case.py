@@ -66,13 +66,14 @@ class Case(CaseTable):
 
     Units are in the names of the attributes, allowed ranges in the fields. `vehicle` is a name of the
     catalogue or a variant; the path of a vehicle file becomes the table of its changed numbers
-    (`hh_exudyn.case.vehicle`). `wheel_profile` is a published profile (``"S1002"``) or the path of a profile
-    file, `wheel_profiles` those of single wheels (`hh_exudyn.case.wheels`); `back_to_back_mm` is the distance
-    of the flange backs, without it 75 mm less than the nominal gauge of the track. `friction` is one
-    coefficient for all patches, or a table for friction by place, zone and slip (`hh_exudyn.case.friction`).
-    `traction` and `steering` are for vehicles with drives (`hh_exudyn.case.traction`); such a vehicle without
-    the first has the default table. `train` passes a force through a hauled vehicle, `brake` presses the
-    brake shoes of one that has them (`hh_exudyn.case.train`).
+    (`hh_exudyn.case.vehicle`). `wheel_profiles` are those of single wheels (`hh_exudyn.case.wheels`),
+    `wheel_profile` that of all others. It is a published
+    profile (``"S1002"``) or the path of a profile file; `back_to_back_mm` is the distance of the flange
+    backs, without it 75 mm less than the nominal gauge of the track. `friction` is one coefficient for all
+    patches, or a table for friction by place, zone and slip (`hh_exudyn.case.friction`). `traction` and
+    `steering` are for vehicles with drives (`hh_exudyn.case.traction`); such a vehicle without the first has
+    the default table. `train` passes a force through a hauled vehicle, `brake` presses the brake shoes of one
+    that has them (`hh_exudyn.case.train`).
 
     Raises
     ------

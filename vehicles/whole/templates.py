@@ -4,9 +4,11 @@ import difflib
 from collections.abc import Callable
 from importlib.resources import files
 
+from vehicles.catalogue import vehicle_names
 from vehicles.variants import find_variant
 from vehicles.whole.writing import to_toml
 
+_Y25 = "y25_wagon_loaded"
 _GRAMMAR = """Lists place the bodies, couplings and wheelsets on the drawing: x forward from the middle, y to
 the left, z up from the rail tops, in metres, all springs unloaded. Equal entries share a part, a table [name]
 with their numbers in any unit that is named, each with its source: "published: ...", "derived: ..." or
@@ -25,13 +27,22 @@ def _catalogued(vehicle: str, title: str) -> str:
     return to_toml(find_variant(vehicle).document(), head)
 
 
-def _y25() -> str:
-    return files("vehicles").joinpath("data/y25_wagon.toml").read_text(encoding="utf-8")
+def _tank_wagon() -> str:
+    """Written by hand, the Lenoir links linearised."""
+    return files("vehicles").joinpath("data/tank_wagon.toml").read_text(encoding="utf-8")
+
+
+def _y25_wagon() -> str:
+    """The catalogue's, where it has one."""
+    if _Y25 not in vehicle_names():
+        return _tank_wagon()
+    return _catalogued(_Y25, "A tank wagon on two Y25 bogies.")
 
 
 TEMPLATES: dict[str, Callable[[], str]] = {
     "three_piece_wagon": lambda: _catalogued("iore_wagon_loaded", "A wagon on two three-piece bogies."),
-    "y25_wagon": _y25,
+    "y25_wagon": _y25_wagon,
+    "tank_wagon": _tank_wagon,
     "co_co": lambda: _catalogued("iore_locomotive", "A locomotive on two bogies of three driven wheelsets."),
 }
 """Text of every template by name."""
