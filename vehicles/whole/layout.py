@@ -5,8 +5,8 @@ stands where it is read by people too, in brackets in the comment of its line::
 
     stiffness: Vector  # shear of the pad [N/m]
 
-without brackets it has none ("-"), but for places, ``point``, which are in metres. Several brackets are the
-columns of a table, ``# (displacement [m], force [N])``.
+or in that of a name for its type, ``DamperTable = ...  # (speed [m/s], force [N])``, whose brackets are those
+of its columns. Without brackets it has none ("-"), but for places, ``point``, which are in metres.
 """
 
 import inspect
@@ -23,6 +23,8 @@ NONE = "-"  # the unit of a number without one
 PLACE = "m"
 TYPE = "type"  # key of an entry that says its class, where a section has several
 _LINE = re.compile(r"^[ ]+(\w+)\s*:[^#\n]*#[ ]*(.*)$", re.MULTILINE)
+_TYPED = re.compile(r"^[ ]+(\w+)\s*:\s*([A-Za-z_]\w*)", re.MULTILINE)
+_ALIAS = re.compile(r"^(\w+)\s*=[^#\n]*#[ ]*(.*)$", re.MULTILINE)
 _BRACKETS = re.compile(r"\[([^\[\]]+)\]")
 
 
@@ -82,9 +84,9 @@ def unit_of(kind: type, name: str) -> str:
     """Unit of a field; those of the columns of a table joined by ``", "``."""
     for owner in kind.__mro__:
         if name in getattr(owner, "__annotations__", {}):
-            found = _BRACKETS.findall(_comments(owner).get(name, ""))
-            if found:
-                return ", ".join(found)
+            for comment in (_comments(owner).get(name, ""), _alias_comment(owner, name)):
+                if found := _BRACKETS.findall(comment):
+                    return ", ".join(found)
     return PLACE if name.split("_")[0] == "point" else NONE
 
 
@@ -111,6 +113,13 @@ def _items(hint: Any) -> tuple[Any, ...]:
 def _comments(owner: type) -> dict[str, str]:
     """Comment of every field of a class, from its source."""
     return dict(_LINE.findall(inspect.getsource(owner)))
+
+
+def _alias_comment(owner: type, name: str) -> str:
+    """Comment of the name that stands for the type of a field, from its module; empty without one."""
+    typed = dict(_TYPED.findall(inspect.getsource(owner))).get(name, "")
+    module = inspect.getmodule(owner)
+    return "" if module is None else dict(_ALIAS.findall(inspect.getsource(module))).get(typed, "")
 
 
 def _without_none(kind: Any) -> Any:

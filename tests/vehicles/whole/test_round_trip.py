@@ -16,6 +16,7 @@ from vehicles.whole.layout import hints, is_number, sections, unit_of
 from vehicles.whole.reading import read_tables
 from vehicles.whole.writing import to_toml
 
+ShortTable = tuple[tuple[float, float], ...]  # (velocity [m/s], force [N])
 DIMENSIONLESS = {"friction", "ratio", "axis", "conicity", "share"}  # last words of numbers without a unit
 
 
@@ -103,12 +104,22 @@ def test_a_new_coupling_needs_no_change_of_the_grammar():
 
         series: float = 0.0  # stiffness of its mounts [N/m]
         table: tuple[tuple[float, float], ...] = ()  # (velocity [m/s], force [N])
+        other: ShortTable = ()
 
     damper = TabulatedDamper(
-        "damper", "a", "b", (0.0, 0.0, 1.0), (1.0, 0.0, 1.0), 1.0, 2.0, 3e6, ((0.0, 0.0), (0.1, 5e3))
+        "damper",
+        "a",
+        "b",
+        (0.0, 0.0, 1.0),
+        (1.0, 0.0, 1.0),
+        1.0,
+        2.0,
+        series=3e6,
+        table=((0.0, 0.0), (0.1, 5e3)),
     )
     assert unit_of(TabulatedDamper, "series") == "N/m"
     assert unit_of(TabulatedDamper, "table") == "m/s, N"
+    assert unit_of(TabulatedDamper, "other") == "m/s, N"
     assert unit_of(TabulatedDamper, "stiffness") == "N/m"
     wagon = vehicle("iore_wagon_loaded")
     object.__setattr__(wagon, "couplings", (*wagon.couplings, damper))  # unknown to `Vehicle`, as to a reader
