@@ -40,7 +40,7 @@ def comparison_sheet(
             for y, (value, wheel) in zip(place, values, strict=True):
                 if np.isfinite(value):
                     axes.annotate(
-                        f"{value:.3g}  {wheel}",
+                        f"{value:.4g}  {wheel}",
                         (0.0, y),
                         xytext=(2, 0),
                         textcoords="offset points",
