@@ -8,6 +8,7 @@ Start with `damage.report.assess`, which takes a run, files, a table or arrays.
 `material`      wheel steels
 `parameters`    numbers with their sources, from ``damage/data``
 `summary`       means per wheelset over the last part of a run
+`extremes`      a run in a handful of numbers, the largest over its wheels
 `cells`         middles of the cells of a patch
 `patch_strips`  strips of a patch on the wheel
 `bounds`        checks of numbers against their bounds

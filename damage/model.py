@@ -52,6 +52,8 @@ class DamageModel:
     films
         Lubricant in the run, by place, wheel and zone; None for none. They divide the wear of a law with dry
         coefficients that knows those of lubricated surfaces; for another law they are dry.
+    wheels
+        Vehicle, wheelset and side of the wheels that are summed, those of one profile; None for all.
 
     Raises
     ------
@@ -72,6 +74,7 @@ class DamageModel:
     patch_grid: PatchGrid = field(default_factory=PatchGrid)
     burstow: Burstow | None = None
     films: WearFilms | None = field(default=None, compare=False, repr=False)
+    wheels: frozenset[tuple[int, int, int]] | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "law", self.law.on(self.material.hardness))
@@ -82,6 +85,10 @@ class DamageModel:
             raise ValueError(f"cells = {self.cells} must be at least 1 along and across")
         if not 0.0 < self.flange_angle < 0.5 * math.pi:
             raise ValueError(f"flange_angle = {self.flange_angle} rad must lie within 0..pi/2 rad")
+
+    def sums(self, vehicle: int, wheelset: int, side: int) -> bool:
+        """Whether a wheel is summed."""
+        return self.wheels is None or (vehicle, wheelset, side) in self.wheels
 
     @property
     def seizure_pressure(self) -> float:

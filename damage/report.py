@@ -2,6 +2,7 @@
 
 import math
 import time
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -197,13 +198,14 @@ def assess(
     progress: Progress | None = None,
     films: WearFilms | None = None,
     unfinished: bool = False,
+    wheels: Iterable[tuple[int, int, int]] | None = None,
 ) -> DamageReport:
     """Wear and rolling contact fatigue of all wheels of a run.
 
     Every contact state is solved again on a fine grid for its stresses and slip: by the strips of the run
     where its contact is given and was that of coupled strips, else by the equivalent ellipse of the log.
 
-    Eighteen arguments: settings of `damage.model.DamageModel` from `material` on, each with a default, so
+    Nineteen arguments: settings of `damage.model.DamageModel` from `material` on, each with a default, so
     that a call names only those that differ.
 
     Parameters
@@ -228,7 +230,7 @@ def assess(
     patch_grid
         Bins along the patch.
     profile
-        The wheel profile, the same for all wheels.
+        The wheel profile, the same for all wheels that are assessed.
     burstow
         Thresholds of Burstow's correction; None takes those of the material, or no correction where the
         material lacks its yield strength or its tensile strength.
@@ -251,6 +253,9 @@ def assess(
         Lubricant of the run, for a law with dry coefficients that knows those of lubricated surfaces.
     unfinished
         Whether a run that ended early is taken.
+    wheels
+        Vehicle, wheelset and side (+1 left, -1 right) of the wheels that are assessed; None for all. Wheels
+        of other profiles need reports of their own.
 
     Raises
     ------
@@ -274,7 +279,7 @@ def assess(
     normal, theory = chosen_contact(normal, theory, contact)
     model = DamageModel(
         material, law, theory, normal, contact, pressure_limit, cells, flange_angle, grid, patch_grid,
-        burstow, films,
+        burstow, films, None if wheels is None else frozenset(wheels),
     )  # fmt: skip
     bad_rows = BadRows()
     start = time.perf_counter()

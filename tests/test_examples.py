@@ -9,6 +9,7 @@ import pytest
 
 from hh_exudyn.contact.profile import wheel_profile
 from hh_exudyn.contact.profiles.writer import write_profile
+from vehicles.variants import find_variant
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 
@@ -192,3 +193,16 @@ def test_every_example_is_run_here() -> None:
     source = Path(__file__).read_text()
     for path in EXAMPLES.glob("*.py"):
         assert f'run("{path.name}"' in source
+
+
+def test_a_variant_from_a_file() -> None:
+    """Stiffer pads, another wheelbase, other wedges, and nothing else."""
+    variant = find_variant(EXAMPLES / "12_stiffer_wagon.toml")
+    changed = {one.name for one in variant.differences()}
+    assert changed == {
+        "axle_box_pad.longitudinal_stiffness", "axle_box_pad.lateral_stiffness", "wheelset.wheelbase",
+        "wedge.friction", "wedge.preload",
+    }  # fmt: skip
+    wagon = variant.vehicle()
+    places = [wagon.body(wheelset.body).position[0] for wheelset in wagon.wheelsets]
+    assert places[0] - places[1] == pytest.approx(1.83)

@@ -16,6 +16,7 @@ from pydantic import Field, TypeAdapter, ValidationError
 from hh_exudyn.sourced import Parameter
 
 MOST_TIMES = 200.0
+_AXES = ("x", "y", "z")  # behind the name of a component
 
 
 def _between(low: float, high: float) -> Any:
@@ -91,7 +92,8 @@ QUANTITIES: dict[str, dict[str, Quantity]] = {  # unit: last word of the name
 
 def quantity_of(parameter: Parameter) -> Quantity | None:
     """The quantity of a number; None for one of another kind, in a vehicle of another package."""
-    word = parameter.name.rsplit(".", 1)[-1].rsplit("_", 1)[-1]
+    words = parameter.name.rsplit(".", 1)[-1].split("_")
+    word = words[-2] if len(words) > 1 and words[-1] in _AXES else words[-1]
     return QUANTITIES.get(parameter.unit, {}).get(word)
 
 

@@ -1,7 +1,8 @@
 """A vehicle as JSON and back: the copy in a run's folder, independent of later changes of data files.
 
-Beside the description such a file may name its origin, the table of a variant (`vehicles.variants`) that the
-vehicle was built from: for its sources, never for its numbers.
+Beside the description such a file may name its origin, the table of a variant (`vehicles.variants`) or the
+tables of a vehicle file (`vehicles.whole`) that the vehicle was built from: for its sources, never for its
+numbers.
 """
 
 import json
@@ -33,7 +34,7 @@ def to_json(vehicle: Vehicle, origin: Mapping[str, Any] | None = None) -> str:
     vehicle : Vehicle
         The description.
     origin : mapping or None
-        Table of the variant that it was built from, None for a vehicle built otherwise.
+        Tables that it was built from, None for a vehicle built otherwise.
     """
     data = asdict(vehicle)
     for coupling, entry in zip(vehicle.couplings, data["couplings"], strict=True):
@@ -69,21 +70,33 @@ def read_vehicle(path: Path | str) -> Vehicle:
     ValueError
         The file cannot be read, or is not a vehicle of this version.
     """
+    text = _read_text(path)
     try:
-        return from_json(_read_text(path))
+        return from_json(text)
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from None
 
 
 def origin_of(path: Path | str) -> dict[str, Any] | None:
     """The origin of the vehicle in a file, None where the file names none. Errors as `read_vehicle`."""
-    origin = json.loads(_read_text(path)).get(_ORIGIN)
+    text = _read_text(path)
+    try:
+        return origin_in(text)
+    except (ValueError, AttributeError) as error:
+        raise ValueError(f"{path}: not the description of a vehicle: {error}") from None
+
+
+def origin_in(text: str) -> dict[str, Any] | None:
+    """The origin of the vehicle in a text that `to_json` wrote, None where it names none."""
+    origin = json.loads(text).get(_ORIGIN)
     return origin if isinstance(origin, dict) else None
 
 
 def _read_text(path: Path | str) -> str:
-    """A text file (UTF-8); one that cannot be read is a ValueError."""
+    """A text file (UTF-8); one that cannot be read is a ValueError that begins with its path."""
     try:
         return Path(path).read_text(encoding="utf-8")
     except OSError as error:
-        raise ValueError(f"cannot be read: {error.strerror}") from None
+        raise ValueError(f"{path}: cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{path}: not UTF-8 at byte {error.start}") from None

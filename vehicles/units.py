@@ -13,6 +13,7 @@ _FACTORS = {  # base unit: other units, and how many of the base one of them is
     "N": {"kN": "1e3", "MN": "1e6"},
     "W": {"kW": "1e3", "MW": "1e6"},
     "deg": {"rad": "57.29577951308232"},
+    "rad": {"deg": "0.017453292519943295", "mrad": "1e-3"},
     "-": {"%": "1e-2"},
 }
 

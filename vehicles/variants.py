@@ -1,4 +1,4 @@
-"""Variants: a vehicle of the catalogue with some numbers changed by a small TOML file.
+"""Variants: a vehicle with some numbers changed by a small TOML file.
 
     base = "iore_wagon_loaded"      # a name of the catalogue, or another such file beside this one
     description = "wedges worn"     # optional
@@ -7,10 +7,11 @@
     friction = 0.35                 # in the unit that the base has
     preload = { value = 1.5, unit = "kN", source = "assumed: a worn wedge stands higher" }
 
+The base may be a file with a whole vehicle too (`vehicles.whole`), whose numbers then are those of its parts.
 Other units are converted (`vehicles.units`), ranges are those of `vehicles.quantities`. A number alone has
 the source "variant: <file>". A base may be such a file itself; the changes of all files are merged onto the
-vehicle of the catalogue at the end of the chain, so a `Variant` no longer depends on files. Bad files raise
-ValueError of one line that begins with the file.
+vehicle at the end of the chain, so a `Variant` no longer depends on files but a whole vehicle's. Bad files
+raise ValueError of one line that begins with the file.
 """
 
 import os
@@ -24,7 +25,12 @@ from hh_exudyn.text_files import read_toml
 from vehicles.catalogue import catalogued
 from vehicles.description import Vehicle
 from vehicles.quantities import require_plausible, require_same_unit
+from vehicles.record import VehicleRecord
 from vehicles.units import converted
+from vehicles.whole.document import Document
+from vehicles.whole.export import document_of_record
+from vehicles.whole.file import is_whole_file, read_whole
+from vehicles.whole.writing import to_tables
 
 _KEYS = ("name", "base", "description")  # of a variant's table; everything else is a part
 _ENTRY = {"value", "unit", "source"}
@@ -32,17 +38,17 @@ _ENTRY = {"value", "unit", "source"}
 
 @dataclass(frozen=True)
 class Variant:
-    """A vehicle of the catalogue with changes; without any it is that vehicle.
+    """A vehicle of the catalogue or of a file with changes; without any it is that vehicle.
 
     Raises
     ------
     ValueError
-        The base is not in the catalogue, a change is not one of its parameters, has another unit or no
+        The base is not known, a change is not one of its parameters, has another unit or no
         plausible value, or the vehicle cannot be built with them.
     """
 
     name: str
-    base: str  # in the catalogue
+    base: str  # in the catalogue, or the path of a file with a whole vehicle
     changes: tuple[Parameter, ...] = ()
     description: str = ""
 
@@ -51,17 +57,32 @@ class Variant:
             require_plausible(change)
         self.vehicle()
 
+    @property
+    def record(self) -> VehicleRecord:
+        """The record of the base."""
+        return read_whole(self.base).record() if is_vehicle_file(self.base) else catalogued(self.base)
+
     def parameters(self) -> ParameterSet:
         """All numbers, changed or not."""
-        return catalogued(self.base).parameters().with_parameters(self.changes, self.name)
+        return self.record.parameters().with_parameters(self.changes, self.name)
 
     def vehicle(self) -> Vehicle:
         """The description with the changed numbers."""
-        return catalogued(self.base).build(self.name, self.parameters())
+        return self.record.build(self.name, self.parameters())
 
     def differences(self) -> tuple[Difference, ...]:
         """The numbers that differ from the base."""
-        return differences(catalogued(self.base).parameters(), self.parameters())
+        return differences(self.record.parameters(), self.parameters())
+
+    def document(self) -> Document:
+        """The whole vehicle with the source of every number."""
+        if is_vehicle_file(self.base):
+            return read_whole(self.base).with_numbers(self.parameters(), self.name)
+        return document_of_record(self.record, self.name, self.parameters())
+
+    def origin(self) -> dict[str, Any]:
+        """What the vehicle was built from, as tables that need no file of the user."""
+        return to_tables(self.document()) if is_vehicle_file(self.base) else self.to_table()
 
     def to_table(self) -> dict[str, Any]:
         """As the table that `variant_of_table` reads, every number with unit and source."""
@@ -76,7 +97,7 @@ class Variant:
 
 
 def find_variant(source: str | Path) -> Variant:
-    """The vehicle of a file (.toml), or the one of that name in the catalogue.
+    """The vehicle of a file (.toml, .json), or the one of that name in the catalogue.
 
     Raises
     ------
@@ -127,6 +148,9 @@ def variant_of_table(table: Mapping[str, Any], source: str) -> Variant:
 def _read(path: Path, above: tuple[Path, ...]) -> Variant:
     """The variant in a file that the files `above` are based on."""
     place = Path(os.path.realpath(path))
+    if is_whole_file(path):
+        document = read_whole(path)
+        return Variant(document.name, str(place), (), document.description)
     if place in above:
         chain = " -> ".join(file.name for file in (*above[above.index(place) :], place))
         raise ValueError(f"{path}: its base leads back to itself: {chain}")
@@ -140,7 +164,10 @@ def _read(path: Path, above: tuple[Path, ...]) -> Variant:
 def _variant(table: Mapping[str, Any], source: str, folder: Path, above: tuple[Path, ...]) -> Variant:
     base = _text(table, "base")
     if not base:
-        raise ValueError('base is missing: allowed a name of the catalogue or a vehicle file (".toml")')
+        raise ValueError(
+            'base is missing: allowed a name of the catalogue or a vehicle file (".toml"); a whole vehicle '
+            "has bodies"
+        )
     ground = _read(folder / base, above) if is_vehicle_file(base) else Variant(base, base)
     known = ground.parameters()
     changes = {change.name: change for change in ground.changes}

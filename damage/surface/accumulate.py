@@ -145,9 +145,14 @@ def _sum(
             part, wheel, placed = _piece_sums(piece, model)
             size = HALFSPACE_ROWS if model.theory == "halfspace" else BLOCK_ROWS
             blocks = _blocks(piece.states, placed, wheel, size)
+            if model.wheels is not None:
+                summed = [model.sums(one.vehicle, one.wheelset, one.side) for one in part.wheels]
+                blocks = _chosen(blocks, summed)
             _add_blocks(pool, blocks, model, part, 2 * threads, total.rows, progress)
             total = total + part
-    return total
+    if model.wheels is None:
+        return total
+    return total.only([model.sums(one.vehicle, one.wheelset, one.side) for one in total.wheels])
 
 
 def usable_processors() -> int:
@@ -171,6 +176,11 @@ def _blocks(states: ContactStates, placed: Placed, wheel: IntArray, size: int) -
                 ContactStates._make(column[block] for column in states),
                 Placed._make(column[block] for column in placed),
             )
+
+
+def _chosen(blocks: Iterator[Block], wanted: list[bool]) -> Iterator[Block]:
+    """The blocks of some of the wheels."""
+    return (block for block in blocks if wanted[block.wheel])
 
 
 def _add_blocks(

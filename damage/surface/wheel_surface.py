@@ -7,6 +7,7 @@ a factor, as all of them count revolutions of the wheel:
     0.3 * curve.scaled(50e6) + 0.7 * straight.scaled(50e6)
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from typing import NamedTuple
 
@@ -188,6 +189,22 @@ class WheelSurface:
             time=self.time + other.time,
             distance=self.distance + other.distance,
         )
+
+    def only(self, wanted: Sequence[bool]) -> "WheelSurface":
+        """The surfaces of some of the wheels.
+
+        Parameters
+        ----------
+        wanted
+            (W,) whether each wheel is one of them.
+        """
+        rows = np.flatnonzero(wanted)
+        chosen = {
+            field.name: getattr(self, field.name)[rows]
+            for field in fields(self)
+            if isinstance(getattr(self, field.name), np.ndarray)
+        }
+        return replace(self, wheels=tuple(self.wheels[row] for row in rows), **chosen)
 
     def __rmul__(self, weight: float) -> "WheelSurface":
         """All sums times a weight: its share in a load collective.

@@ -12,6 +12,11 @@
 `traction`     drives and steering of a vehicle that drives itself
 `train`        draft and brakes of a vehicle in a train
 `line`         cases from the sections of a line
+`wheels`       wheel profiles by side, wheelset, wheel
+`files`        where the paths of a case stand, and where they start
+`overrides`    a case with some inputs changed by their names
+`matrix`       every combination of some values of some inputs
+`differences`  inputs in which cases differ
 `sealed`       a case with its vehicle and the content of all its files
 `numbers`      the sourced numbers that a case rests on
 `fields`       fields of numbers with units, and of paths

@@ -26,27 +26,27 @@ from hh_exudyn.case.alignment import (
 )
 from hh_exudyn.case.contact import ContactCase, IntegrationCase
 from hh_exudyn.case.errors import CaseError, explain
-from hh_exudyn.case.fields import CaseTable, from_folder, is_path, number
+from hh_exudyn.case.fields import CaseTable, number
+from hh_exudyn.case.files import start_at
 from hh_exudyn.case.friction import FrictionCase
 from hh_exudyn.case.track import TrackCase
 from hh_exudyn.case.traction import SteeringCase, TractionCase
 from hh_exudyn.case.train import BrakeCase, TrainCase
-from hh_exudyn.case.vehicle import VehicleField, described, resolved, start_in
+from hh_exudyn.case.vehicle import VehicleField, described, resolved
+from hh_exudyn.case.wheels import WheelProfilesCase, read_wheel, wheel_names, widest_flanges
 from hh_exudyn.contact.friction import FrictionTable, constant_friction
-from hh_exudyn.contact.profile import Profile, read_wheel_profile, wheel_profile
-from hh_exudyn.contact.profiles.measures import flange_thickness
+from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.tangential.given import given_contact_model
 from hh_exudyn.contact.types import GivenCreep, WheelRailModel
 from hh_exudyn.contact.wheel_rail import wheel_rail_model
+from hh_exudyn.contact.wheels import with_wheels
 from hh_exudyn.conventions import BACK_TO_BACK, LEFT, NOMINAL_GAUGE, RIGHT
 from hh_exudyn.text_files import parsed_toml, read_bytes
 from track.course.alignment import Alignment
 from vehicles.description import Vehicle
 
-_RAILS = ("rail", "rail_left", "rail_right", "rail_high", "rail_low")
 _LARGEST_FILE = 20_000_000  # bytes of a case
 _PLAY_MM = (60.0, 100.0)  # nominal gauge less the distance of the flange backs
-FILE_KEYS = ("wheel_profile", "irregularity", *_RAILS)  # keys with a name or the path of a file
 SHORTEST_TRACK_M = 30.0  # a wagon of 10.29 m and some track ahead
 
 
@@ -66,7 +66,8 @@ class Case(CaseTable):
 
     Units are in the names of the attributes, allowed ranges in the fields. `vehicle` is a name of the
     catalogue or a variant; the path of a vehicle file becomes the table of its changed numbers
-    (`hh_exudyn.case.vehicle`). `wheel_profile` is a published
+    (`hh_exudyn.case.vehicle`). `wheel_profiles` are those of single wheels (`hh_exudyn.case.wheels`),
+    `wheel_profile` that of all others. It is a published
     profile (``"S1002"``) or the path of a profile file; `back_to_back_mm` is the distance of the flange
     backs, without it 75 mm less than the nominal gauge of the track. `friction` is one coefficient for all
     patches, or a table for friction by place, zone and slip (`hh_exudyn.case.friction`). `traction` and
@@ -87,6 +88,7 @@ class Case(CaseTable):
     speed_km_h: float = number("km/h", 5, 130)
     friction: _Friction = Field(json_schema_extra={"allowed": "0.01 to 1, or a table [friction]"})
     wheel_profile: str = "S1002"
+    wheel_profiles: WheelProfilesCase | None = None
     back_to_back_mm: float | None = number("mm", 800, 1650, None)
     track: TrackCase
     contact: ContactCase = ContactCase()
@@ -122,7 +124,7 @@ class Case(CaseTable):
     @field_validator("wheel_profile")
     @classmethod
     def _check_wheel_profile(cls, value: str) -> str:
-        _wheel(value)
+        read_wheel(value)
         return value
 
     @model_validator(mode="after")
@@ -211,12 +213,20 @@ class Case(CaseTable):
     @property
     def wheel(self) -> Profile:
         """The wheel profile in side coordinates."""
-        return _wheel(self.wheel_profile)
+        return read_wheel(self.wheel_profile)
+
+    def wheels(self, wheelsets: int) -> list[tuple[Profile, Profile]]:
+        """Left and right wheel profile of every wheelset. Raises ValueError for a wheelset too many."""
+        names = wheel_names(self.wheel_profiles, self.wheel_profile, wheelsets)
+        read = {name: read_wheel(name) for pair in names for name in pair}
+        return [(read[left], read[right]) for left, right in names]
 
     @property
     def least_gauge(self) -> float:
-        """The gauge with zero flange clearance [m]."""
-        return self.back_to_back + 2 * flange_thickness(self.wheel)
+        """The gauge with zero flange clearance of the wheelset that needs most [m]."""
+        wheelsets = 1 if self.wheel_profiles is None else len(self.described_vehicle().wheelsets)
+        names = wheel_names(self.wheel_profiles, self.wheel_profile, wheelsets)
+        return self.back_to_back + widest_flanges(names)
 
     @property
     def back_to_back(self) -> float:
@@ -288,7 +298,7 @@ class Case(CaseTable):
                 radii.pop(),
                 self.contact.damping_s_per_m,
             )
-        return wheel_rail_model(
+        model = wheel_rail_model(
             self.wheel,
             self.wheel,
             self.track.rail_course(LEFT),
@@ -302,11 +312,18 @@ class Case(CaseTable):
             material=self.contact.material,
             smoothing=self.contact.profile_smoothing_mm / 1000,
         )
+        if self.wheel_profiles is None:
+            return model
+        return with_wheels(model, self.wheels(len(vehicle.wheelsets)))
 
     def mirrored(self) -> "Case":
         """The same case with left and right exchanged."""
+        wheels = None if self.wheel_profiles is None else self.wheel_profiles.mirrored()
         return self.with_changes(
+            wheel_profiles=None
+        ).with_changes(  # in place of the table, not merged with it
             track=self.track.mirrored(),
+            wheel_profiles=wheels,
             friction=self.friction.mirrored() if isinstance(self.friction, FrictionCase) else self.friction,
         )
 
@@ -347,7 +364,7 @@ class Case(CaseTable):
         except ValueError as error:
             raise CaseError(str(error)) from None
         if folder is not None:
-            _start_in(folder, data)
+            start_at(folder, data)
         try:
             return cls(**data)
         except CaseError as error:
@@ -369,24 +386,6 @@ def read_case(path: str | Path) -> Case:
     except ValueError as error:
         raise CaseError(str(error)) from None
     return Case.from_toml(data, source=str(path), folder=path.parent)
-
-
-def _start_in(folder: Path, data: dict[str, Any]) -> None:
-    """Make the relative paths of a raw case start at its folder; names of profiles are unchanged."""
-    track = data.get("track")
-    track = track if isinstance(track, dict) else {}
-    start_in(folder, data)
-    sections = track.get("sections")
-    for table in (data, track, *(sections if isinstance(sections, list) else ())):
-        for key in FILE_KEYS:
-            if isinstance(table, dict) and isinstance(table.get(key), str) and is_path(table[key]):
-                from_folder(table, folder, key)
-    from_folder(track, folder, "alignment", "centre_line")
-    from_folder(track.get("centre_line"), folder, "file")
-
-
-def _wheel(name: str) -> Profile:
-    return read_wheel_profile(name) if is_path(name) else wheel_profile(name)
 
 
 def _merged(old: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:

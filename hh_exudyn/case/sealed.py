@@ -13,9 +13,9 @@ from typing import Any
 
 import tomli_w
 
-from hh_exudyn.case.case import FILE_KEYS, Case
-from hh_exudyn.case.fields import is_path
-from hh_exudyn.case.vehicle import is_whole_vehicle, variant_behind
+from hh_exudyn.case.case import Case
+from hh_exudyn.case.files import named_files
+from hh_exudyn.case.vehicle import is_stored, variant_behind
 from vehicles.description import Vehicle
 from vehicles.stored import read_vehicle, to_json
 
@@ -77,23 +77,20 @@ def sealed(case: Case, vehicle: Vehicle | None = None) -> SealedCase:
 
 def _vehicle(case: Case, vehicle: Vehicle | None) -> str:
     """The vehicle that runs, as JSON with its origin."""
-    if vehicle is None and isinstance(case.vehicle, str) and is_whole_vehicle(case.vehicle):
+    if vehicle is None and isinstance(case.vehicle, str) and is_stored(case.vehicle):
         read_vehicle(case.vehicle)
         return Path(case.vehicle).read_text(encoding="utf-8")
     variant = variant_behind(case.vehicle)
     runs = case.described_vehicle() if vehicle is None else vehicle
     if variant is None or variant.vehicle() != runs:
         return to_json(runs)
-    return to_json(runs, variant.to_table())
+    return to_json(runs, variant.origin())
 
 
 def _places(data: dict[str, Any]) -> Iterator[tuple[dict[str, Any], str]]:
     """Tables and keys of a dumped case under which the path of a file stands."""
+    yield from named_files(data)
     track = data["track"]
-    for table in (data, track, *track.get("sections", ())):
-        for key in FILE_KEYS:
-            if isinstance(table.get(key), str) and is_path(table[key]):
-                yield table, key
     if "alignment" in track:
         yield track, "alignment"
     if "centre_line" in track:

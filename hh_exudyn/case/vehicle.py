@@ -8,8 +8,8 @@ content::
     wedge = { friction = 0.35 }
 
 Either way the `Case` has the numbers, not the file: later changes of the file change neither the case nor its
-runs, as their ``case.toml`` has the table. ``vehicle = "vehicle.json"`` is a whole vehicle
-(`vehicles.stored`), for instance the one in the folder of a run, that ``case.toml`` there refers to.
+runs, as their ``case.toml`` has the table. A file with a whole vehicle remains a file: TOML
+(`vehicles.whole`), or JSON (`vehicles.stored`) as in the folder of a run, whose ``case.toml`` refers to it.
 """
 
 from collections.abc import Mapping
@@ -22,6 +22,8 @@ from hh_exudyn.case.fields import CaseTable, from_folder
 from vehicles.description import Vehicle
 from vehicles.stored import VEHICLE_SUFFIX, origin_of, read_vehicle
 from vehicles.variants import Variant, find_variant, is_vehicle_file, read_variant, variant_of_table
+from vehicles.whole.file import is_whole_file, read_whole
+from vehicles.whole.reading import is_whole
 
 
 class ChangedNumber(CaseTable):
@@ -82,23 +84,25 @@ def resolved(value: Any) -> Any:
     """
     if not isinstance(value, str):
         return value
-    if is_whole_vehicle(value):
-        read_vehicle(value)
-    elif is_vehicle_file(value):
-        return read_variant(value).to_table()
-    else:
+    if not is_vehicle_file(value):
         find_variant(value)
+    elif is_stored(value):
+        read_vehicle(value)
+    elif is_whole_file(value):
+        read_whole(value)
+    else:
+        return read_variant(value).to_table()
     return value
 
 
-def is_whole_vehicle(value: Any) -> bool:
-    """Whether the vehicle of a case is the path of a file with a whole vehicle."""
+def is_stored(value: Any) -> bool:
+    """Whether the vehicle of a case is the path of a file as the folder of a run has it."""
     return isinstance(value, str) and value.endswith(VEHICLE_SUFFIX)
 
 
 def described(value: str | VehicleCase) -> Vehicle:
     """The description that a run uses."""
-    if isinstance(value, str) and is_whole_vehicle(value):
+    if isinstance(value, str) and is_stored(value):
         return read_vehicle(value)
     return (find_variant(value) if isinstance(value, str) else value.variant()).vehicle()
 
@@ -106,15 +110,17 @@ def described(value: str | VehicleCase) -> Vehicle:
 def variant_behind(value: str | VehicleCase) -> Variant | None:
     """The variant of a case's vehicle, with its sourced numbers; None for a vehicle built otherwise.
 
-    A whole vehicle has the one that it was built from, if that still has the same numbers.
+    A stored vehicle has the one that it was built from, if that still has the same numbers.
     """
     if isinstance(value, VehicleCase):
         return value.variant()
-    if not is_whole_vehicle(value):
+    if not is_stored(value):
         return find_variant(value)
     origin = origin_of(value)
     if origin is None:
         return None
+    if is_whole(origin):
+        return find_variant(value)
     try:
         variant = variant_of_table(origin, "case")
         return variant if variant.vehicle() == read_vehicle(value) else None

@@ -1,11 +1,16 @@
 """The command ``hh-exudyn``.
 
 =============  ======================================================================================
-`app`          the command itself: run, demo, playback
+`app`          the command itself
+`run`          run, demo, playback
+`changes`      other inputs for a case: --vehicle, --set, --vary
+`matrix`       many runs at once
+`compare`      runs beside each other
 `contact`      conicity, patch
 `validate`     the toolkit beside numbers from outside
 `creep_curve`  creep force over creepage by every theory
 `damage`       wear and fatigue of a run
+`reports`      damage reports of a run, one for the wheels of each profile
 `evaluation`   folder and settings of a damage evaluation
 `assess`       assessment of a run after UIC 518 / EN 14363
 `track`        alignment, irregularities, lines

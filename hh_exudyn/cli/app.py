@@ -1,4 +1,4 @@
-"""The command ``hh-exudyn``: run a case, demo, playback. It imports all packages and computes nothing.
+"""The command ``hh-exudyn``: its parts, its version, its exit codes.
 
 =========  ==================================================================================
 exit code  meaning
@@ -17,41 +17,26 @@ Large packages are imported inside the commands, so that ``--help`` is fast.
 
 import signal
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
-from importlib import resources
-from pathlib import Path
+from contextlib import suppress
 from types import FrameType
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated
 
 import typer
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-from rich.table import Table
 
 from hh_exudyn import __version__
 from hh_exudyn.cli import assess as cli_assess
+from hh_exudyn.cli import compare as cli_compare
 from hh_exudyn.cli import contact as cli_contact
 from hh_exudyn.cli import creep_curve as cli_creep_curve
 from hh_exudyn.cli import damage as cli_damage
-from hh_exudyn.cli import inputs, output
 from hh_exudyn.cli import linear as cli_linear
+from hh_exudyn.cli import output
 from hh_exudyn.cli import parameters as cli_parameters
+from hh_exudyn.cli import run as cli_run
 from hh_exudyn.cli import track as cli_track
 from hh_exudyn.cli import validate as cli_validate
 from hh_exudyn.cli import vehicle as cli_vehicle
-from hh_exudyn.cli.damage import show_damage
 from hh_exudyn.cli.usage import OneLineUsage
-
-if TYPE_CHECKING:
-    from damage.summary import WheelsetSummary
-    from hh_exudyn.case import Case
-    from hh_exudyn.log.store import Run
-
-RECORDING = "playback.rrd"
-NewRecording = Annotated[
-    Path | None,
-    typer.Option(metavar="F.rrd", help="Write the recording to this new file and open no viewer."),
-]
 
 app = typer.Typer(
     cls=OneLineUsage,
@@ -67,6 +52,7 @@ cli_creep_curve.register(app)
 cli_damage.register(app)
 cli_track.register(app)
 cli_assess.register(app)
+cli_compare.register(app)
 cli_vehicle.register(app)
 cli_linear.register(app)
 cli_parameters.register(app)
@@ -102,175 +88,4 @@ def _options(
     """Wheel damage on heavy-haul railways: simulate a wagon, compute wear and fatigue, play it back."""
 
 
-@app.command()
-def run(
-    case: inputs.CaseFile,
-    out_folder: inputs.NewFolder,
-    resume: Annotated[
-        bool, typer.Option("--resume", help="Go on with the interrupted run of the case in the folder.")
-    ] = False,
-) -> None:
-    """Simulate a case: logs, recording, and a table of the wheelsets in the last part of the run."""
-    with output.errors_in_one_line(out_folder):
-        from hh_exudyn.case import read_case
-
-        if not resume:
-            inputs.require_new_folder(out_folder)
-        _show_run(_simulated(read_case(case), out_folder, resume))
-
-
-@app.command()
-def demo(out_folder: inputs.NewFolder) -> None:
-    """A loaded iron-ore wagon through a curve of 450 m: simulate, record, compute damage."""
-    with output.errors_in_one_line(out_folder):
-        from hh_exudyn.case import Case
-
-        inputs.require_new_folder(out_folder)
-        text = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text(encoding="utf-8")
-        finished = _simulated(Case.from_toml(text, source="demo.toml"), out_folder)
-        _show_run(finished)
-        show_damage(finished, out_folder / "damage")
-
-
-@app.command()
-def playback(
-    folder: inputs.RunFolder,
-    save: NewRecording = None,
-    skip_broken_parts: inputs.SkipBrokenParts = False,
-) -> None:
-    """Play a run in the rerun viewer, or save its recording."""
-    with output.errors_in_one_line(folder):
-        finished = inputs.read_run(folder, skip_broken_parts)
-        output.print_left_out(finished)
-        if save is not None:
-            inputs.require_new_file(save, "--save", inputs.RECORDINGS)
-            _record(finished, save)
-            return
-        from hh_exudyn.playback.viewer import open_viewer
-
-        recording = folder / RECORDING
-        if skip_broken_parts or not recording.is_file() or _older(recording, folder / "status.json"):
-            _record(finished, recording)
-        with output.status("opening the viewer"):
-            viewer = open_viewer(recording)
-        output.print_line(f"{recording} is open in the rerun viewer (process {viewer})")
-
-
-def _simulated(case: "Case", folder: Path, resume: bool = False) -> "Run":
-    """The run of a case, with a progress bar; an early end is one line and an exit code."""
-    from hh_exudyn.multibody.equilibrium import NoEquilibrium
-    from hh_exudyn.multibody.simulate import SimulationStopped, simulate
-
-    try:
-        with _progress_bar(case.name) as progress:
-            if resume:
-                return simulate(case, folder, progress=progress, resume=True)
-            return simulate(case, folder, progress=progress)
-    except (SimulationStopped, NoEquilibrium) as error:
-        output.fail(output.STOPPED, f"{error}; {output.log_place(folder, resumable=False)}")
-    except FileExistsError as error:  # another run has claimed the folder: nothing is written into it
-        raise inputs.BadInput(f"--out {folder}: {error}") from None
-    except (ValueError, OSError) as error:
-        if not folder.exists():  # nothing was begun: the case or the folder cannot be made
-            raise inputs.BadInput(str(error)) from None
-        raise
-
-
-def _show_run(run: "Run") -> None:
-    """Record the run; print its table and the paths of its files."""
-    from damage.summary import seizure_shares, steady_window, wheelset_summary
-    from hh_exudyn.case import Case
-    from hh_exudyn.case.numbers import assumed_summary
-
-    window = steady_window(run)
-    _record(run, run.directory / RECORDING)
-    output.print_table(_wheelset_table(wheelset_summary(run, window), window))
-    if run.status.get("watch"):
-        output.print_table(_watch_table(run.status["watch"], seizure_shares(run)))
-    output.print_line(assumed_summary(Case.from_toml(run.case_text, folder=run.directory)))
-    if (resistance := run.status.get("curve_resistance_of_train")) is not None:
-        output.print_line(f"curve resistance of the wagons behind: {resistance}")
-    for wheel in run.status.get("chatter", []):
-        output.print_line(
-            f"doubtful: the contact of wheel {wheel['wheel']} jumps {wheel['changes_per_s']:g} times "
-            f"a second (Q spreads by {wheel['spread_of_Q_kN']:g} kN) at s = {wheel['s_m']:g} m"
-        )
-    for wheel in run.status.get("wheel_climb", []):
-        output.print_line(
-            f"doubtful: wheel {wheel['wheel']} lifts up to {wheel['lift_mm']:g} mm from its rail "
-            f"(s = {wheel['lift_s_m']:g} m) and runs up to {wheel['flange_alone_m']:g} m on its flange alone "
-            f"(to s = {wheel['flange_alone_to_s_m']:g} m)"
-        )
-    output.print_line("Y is positive outwards; attack and position are positive to the left")
-    output.print_line(f"play it: hh-exudyn playback {run.directory}")
-
-
-def _older(recording: Path, status: Path) -> bool:
-    """Whether a recording was made before the run in its folder ended."""
-    return status.is_file() and recording.stat().st_mtime < status.stat().st_mtime
-
-
-def _record(run: "Run", path: Path) -> None:
-    from hh_exudyn.playback.run import record
-
-    with output.status("recording"):
-        record(run, path)
-    output.print_line(f"recording: {path}")
-
-
-def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) -> Table:
-    """The summary with units, a line per wheel; numbers of the wheelset are in the line of its left wheel."""
-    table = output.new_table(
-        f"Means from {window[0]:.2f} to {window[1]:.2f} s",
-        ("wheel", "Q [kN]", "Y [kN]", "Y/Q [-]", "angle\u00a0of attack [mrad]", "lateral position [mm]",
-         "p_max [MPa]", "wear number [N]", "FI>0 [%]"),
-    )  # fmt: skip
-    several = len({row.vehicle for row in rows}) > 1
-    for row in rows:
-        unit = f"{row.vehicle}." if several else ""
-        of_wheelset = (output.number(row.angle_of_attack * 1e3, 2), output.number(row.lateral * 1e3, 2))
-        for i, side in enumerate("LR"):
-            table.add_row(
-                f"{unit}{row.wheelset}{side}",
-                output.number(row.Q[i] * 1e-3, 1),
-                output.number(row.Y[i] * 1e-3, 1),
-                output.number(row.y_over_q[i], 3),
-                *(of_wheelset if i == 0 else ("", "")),
-                f"{row.p_max[i] * 1e-6:.0f}",
-                f"{row.wear_number[i]:.0f}",
-                f"{row.fatigue_share[i] * 100:.0f}",
-            )
-    return table
-
-
-def _watch_table(wheels: "list[dict[str, Any]]", seized: "dict[str, float]") -> Table:
-    """What the watch over the whole run has seen, a line per wheel: zeros where nothing is doubtful."""
-    table = output.new_table(
-        "Watch over the whole run",
-        ("wheel", "lift [mm]", "flange\u00a0alone [m]", "contact jumps [1/s]",
-         "curvature floored [%]", "above seizure [%]"),
-    )  # fmt: skip
-    for wheel in wheels:
-        table.add_row(
-            wheel["wheel"],
-            output.number(wheel["lift_mm"], 2),
-            output.number(wheel["flange_alone_m"], 1),
-            output.number(wheel["changes_per_s"], 0),
-            output.number(100.0 * wheel["floored_share"], 1),
-            output.number(100.0 * seized.get(wheel["wheel"], 0.0), 1),
-        )
-    return table
-
-
-@contextmanager
-def _progress_bar(name: str) -> Iterator[Callable[[float, str], None]]:
-    """A progress bar on stderr, advanced by the callback of `simulate`; none where stderr is a file."""
-    columns = (
-        TextColumn("{task.fields[case]}", markup=False),  # a name may have braces and brackets
-        BarColumn(),
-        TextColumn("{task.description}", markup=False),
-        TimeElapsedColumn(),
-    )
-    with Progress(*columns, console=output.err, transient=True, disable=not output.err.is_terminal) as bar:
-        task = bar.add_task("equilibrium", total=1.0, case=name)
-        yield lambda fraction, text: bar.update(task, completed=fraction, description=text)
+cli_run.register(app)

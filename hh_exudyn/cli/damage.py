@@ -4,13 +4,10 @@ Conversion to millimetres and kilometres is here; the packages below use SI. Lar
 inside the functions, so that ``--help`` is fast.
 """
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
@@ -24,6 +21,7 @@ from hh_exudyn.cli.evaluation import (
     write_settings,
 )
 from hh_exudyn.cli.names import NamesInHelp
+from hh_exudyn.cli.reports import assessed, films_of, whole_table
 
 if TYPE_CHECKING:
     import pyarrow
@@ -31,8 +29,7 @@ if TYPE_CHECKING:
 
     from damage.report import DamageReport
     from damage.surface.wheel_surface import Wheel
-    from damage.wear.films import WearFilms
-    from hh_exudyn.case import Case
+    from hh_exudyn.contact.profile import Profile
     from hh_exudyn.log.store import Run
 
 
@@ -93,7 +90,7 @@ def damage(
         if pressure_limit is not None:
             options |= {"pressure_limit": 1e6 * pressure_limit}
         run = inputs.read_run(folder, skip_broken_parts)
-        films = _films(run)
+        films = films_of(run)
         options |= {"films": films if surface is None else films.without()}
         show_damage(run, target, distance_km, skip_bad_rows, surface, **options)
 
@@ -109,65 +106,6 @@ def _options(model: str, surface: str | None, theory: str | None, material: str)
             theory_number(theory)
         law = wear_law(model, **({} if surface is None else {"surface": surface}))
         return {"law": law, "theory": theory, "material": wheel_material(material)}
-
-
-def _assessed(run: "Run", skip_bad_rows: bool = False, **options: Any) -> "DamageReport":
-    """The damage of a run; a log without the necessary columns or with bad rows is bad input."""
-    from damage.report import assess
-
-    case = _case(run)
-    with _progress(run, "halfspace" in (options.get("normal"), options.get("theory"))) as progress:
-        try:
-            return assess(
-                run,
-                profile=case.wheel,
-                contact=case.contact_model(),
-                skip_bad_rows=skip_bad_rows,
-                progress=progress,
-                **options,
-            )
-        except ValueError as error:
-            known = "rows are bad" in str(error) or "rows are missing" in str(error)
-            hint = "; --skip-bad-rows leaves them out" if known else ""
-            raise inputs.BadInput(f"{run.directory}: {error}{hint}") from None
-
-
-def _films(run: "Run") -> "WearFilms":
-    """The lubricant of a run, by its case; and its wheelsets."""
-    from damage.wear.films import WearFilms
-    from vehicles.stored import from_json
-
-    case = _case(run)
-    described = case.described_vehicle() if run.vehicle_text is None else from_json(run.vehicle_text)
-    table = case.film_table(len(described.wheelsets))
-    units = [wheelset.unit for wheelset in described.wheelsets]
-    return WearFilms(table, tuple(units.count(unit) for unit in described.units))
-
-
-@contextmanager
-def _progress(run: "Run", slow: bool) -> Iterator[Callable[[int], None] | None]:
-    """A bar with the remaining time on stderr where the half-space solves every state, else a status."""
-    if not slow:
-        with output.status("damage"):
-            yield None
-        return
-    rows = sum(batch.num_rows for batch in run.batches("contact", ["time"]))
-    columns = (
-        TextColumn("damage, {task.fields[states]} states"),
-        BarColumn(),
-        TimeElapsedColumn(),
-        TimeRemainingColumn(),
-    )
-    with Progress(*columns, console=output.err, transient=True, disable=not output.err.is_terminal) as bar:
-        task = bar.add_task("damage", total=rows, states=f"{rows:,}")
-        yield lambda done: bar.update(task, completed=done)
-
-
-def _case(run: "Run") -> "Case":
-    """The case of a run."""
-    from hh_exudyn.case import Case
-
-    return Case.from_toml(run.case_text, source=f"{run.directory}/case.toml", folder=run.directory)
 
 
 def show_damage(
@@ -199,13 +137,17 @@ def show_damage(
 
     from damage.report import NOT_EXTRAPOLATED
 
-    report = _assessed(run, skip_bad_rows, **options)
-    tables = {"damage.csv": report.to_table()}
+    reports = assessed(run, skip_bad_rows, **options)
+    report = reports[0][0]
+    tables = {"damage.csv": whole_table([one.to_table() for one, _ in reports])}
     if distance_km is not None:
-        tables["distance.csv"] = report.distance_table(1e3 * distance_km)
+        tables["distance.csv"] = whole_table([one.distance_table(1e3 * distance_km) for one, _ in reports])
     if report.bad_rows.faults:
         tables["bad_rows.csv"] = report.bad_rows.to_table()
-    figures = _figures(run, report, 1e3 * (FIGURE_DISTANCE if distance_km is None else distance_km))
+    distance = 1e3 * (FIGURE_DISTANCE if distance_km is None else distance_km)
+    figures: dict[str, Figure] = {}
+    for number, (one, profile) in enumerate(reports, 1):
+        figures |= _figures(run, one, profile, distance, "" if number == 1 else f"_{number}")
     label = law_and_steel(report, surface)
     with complete_folder(folder) as partial:
         for name, table in tables.items():
@@ -220,10 +162,12 @@ def show_damage(
     if distance_km is not None:
         after = f"Damage after {distance_km:,g} km{_early(report)}"
         output.print_table(_table_of(after, tables["distance.csv"], DISTANCE_COLUMNS))
-    output.print_line(_coefficients(report, run))
+    for one, profile in reports:
+        which = f"{profile.name}: " if len(reports) > 1 else ""
+        output.print_line(f"{which}{_coefficients(one, run)}")
     if "corrected_rcf_number_per_km" in tables["damage.csv"].column_names:
         output.print_line("RCF: revolutions beyond shakedown; corrected: less those worn off, after Burstow")
-    if report.seized.any():
+    if any(one.seized.any() for one, _ in reports):
         pressure = report.model.seizure_pressure * 1e-6
         output.print_line(
             f"{SEIZED} flange wear under seizure (above {pressure:.0f} MPa, 0.8 of the hardness): the "
@@ -253,7 +197,7 @@ def _coefficients(report: "DamageReport", run: "Run") -> str:
     line = f"wear coefficients of {law.name}: {surfaces}"
     if set(wheels) != {"dry"}:
         return line
-    if not _films(run).dry:
+    if not films_of(run).dry:
         return f"{line}; doubtful: the case has lubricated zones"
     friction = report.surface.mean_friction[report.surface.patch_time > 0.0]
     least = float(friction.min(initial=1.0))
@@ -266,7 +210,9 @@ def _wheel_name(report: "DamageReport", wheel: "Wheel") -> str:
     return f"{f'{wheel.vehicle}.' if several else ''}{wheel.wheelset}{'L' if wheel.side > 0 else 'R'}"
 
 
-def _figures(run: "Run", report: "DamageReport", distance: float) -> "dict[str, Figure]":
+def _figures(
+    run: "Run", report: "DamageReport", profile: "Profile", distance: float, suffix: str
+) -> "dict[str, Figure]":
     """The figures by file name; the map shows the wheel with most fatigue on its tread."""
     from damage.figures.profile_panels import fatigue_figure, wear_figure
     from damage.figures.rcf_bins import rcf_bins_figure
@@ -274,18 +220,19 @@ def _figures(run: "Run", report: "DamageReport", distance: float) -> "dict[str, 
     from damage.figures.working_points import shakedown_figure
     from damage.patch_strips import TREAD
 
-    surface, profile = report.surface, _case(run).wheel
+    surface = report.surface
     figures = {
-        "wear.png": wear_figure(report, profile),
-        "fatigue.png": fatigue_figure(report, profile),
-        "rcf_bins.png": rcf_bins_figure(report, distance),
+        f"wear{suffix}.png": wear_figure(report, profile),
+        f"fatigue{suffix}.png": fatigue_figure(report, profile),
+        f"rcf_bins{suffix}.png": rcf_bins_figure(report, distance),
     }
     if report.model.burstow is not None:
         worst = surface.wheels[int(surface.rcf_number[:, TREAD].max(axis=(1, 2)).argmax())]
-        figures["rcf_map.png"] = energy_map_figure(report, worst, distance)
-    figures["shakedown.png"] = shakedown_figure(
-        run, report.model.material, skip_bad_rows=report.bad_rows.count > 0
-    )
+        figures[f"rcf_map{suffix}.png"] = energy_map_figure(report, worst, distance)
+    if not suffix:  # of the whole run
+        figures["shakedown.png"] = shakedown_figure(
+            run, report.model.material, skip_bad_rows=report.bad_rows.count > 0
+        )
     return figures
 
 

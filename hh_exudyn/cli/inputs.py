@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 if TYPE_CHECKING:
+    from hh_exudyn.case import Case
     from hh_exudyn.log.store import Run
 
 FIGURES = (".png", ".pdf", ".svg")
 TABLES = (".csv",)
+VEHICLES = (".toml",)
 RECORDINGS = ()  # of any suffix
 
 SkipBrokenParts = Annotated[
@@ -149,3 +151,10 @@ def read_run(folder: Path, skip_broken_parts: bool = False) -> "Run":
         if run.read("contact", ["time"]).num_rows == 0:
             raise BadInput(f"{folder}: the contact log has no rows")
     return run
+
+
+def case_of(run: "Run") -> "Case":
+    """The case of a run."""
+    from hh_exudyn.case import Case
+
+    return Case.from_toml(run.case_text, source=f"{run.directory}/case.toml", folder=run.directory)

@@ -12,8 +12,10 @@ import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 from hh_exudyn.cli import inputs, output
+from hh_exudyn.cli.changes import OtherVehicle, Settings, changed_case
 
 if TYPE_CHECKING:
+    from hh_exudyn.case import Case
     from hh_exudyn.multibody.linear.modes import CriticalSpeed, LinearVehicle
     from hh_exudyn.multibody.linear.nonlinear_speed import HuntingRun
 
@@ -30,6 +32,8 @@ def register(app: typer.Typer) -> None:
 
 def modes(
     case: inputs.CaseFile,
+    vehicle_: OtherVehicle = None,
+    set_: Settings = None,
     speed_km_h: Annotated[
         float | None, typer.Option(metavar="km/h", help="Speed. [default: the case's]")
     ] = None,
@@ -43,7 +47,8 @@ def modes(
     with output.errors_in_one_line():
         inputs.require_new_file(playback, "--playback", inputs.RECORDINGS)
         inputs.check_range("--speed-km-h", speed_km_h, SLOWEST, FASTEST, "km/h")
-        vehicle, own = _linear(case)
+        changed = changed_case(case, vehicle_, set_)
+        vehicle, own = _linear(changed)
         speed = own if speed_km_h is None else speed_km_h / 3.6
         from hh_exudyn.multibody.equilibrium import NoEquilibrium
 
@@ -68,17 +73,18 @@ def modes(
         output.print_line("friction elements stick; a negative damping ratio is a motion that grows")
         if playback is not None:
             inputs.check_range("--mode", mode, 1, len(found), "")
-            from hh_exudyn.case import read_case
             from hh_exudyn.playback.mode import record_mode
 
             shown = found[mode - 1]
             name = f"{vehicle.vehicle.name}, mode {mode}: {shown.frequency:.3f} Hz"
-            record_mode(read_case(case), vehicle.vehicle, shown.shape, playback, name=name)
+            record_mode(changed, vehicle.vehicle, shown.shape, playback, name=name)
             output.print_line(f"recording: {playback}")
 
 
 def critical_speed(
     case: inputs.CaseFile,
+    vehicle_: OtherVehicle = None,
+    set_: Settings = None,
     from_km_h: Annotated[float, typer.Option(metavar="km/h", help="Lowest speed looked at.")] = 20.0,
     to_km_h: Annotated[
         float | None,
@@ -98,6 +104,8 @@ def critical_speed(
     By its eigenvalues: where its smallest motions begin to grow, all friction elements sticking; a figure is
     the root locus. With --nonlinear: below which hunting dies out, friction elements sliding; a figure is the
     amplitude over the speed. For a vehicle on friction, as a three-piece wagon, that is the one to quote.
+    \f
+    Nine arguments: each is an option of the command.
     """
     with output.errors_in_one_line():
         if to_km_h is None:
@@ -109,7 +117,7 @@ def critical_speed(
         if not from_km_h < to_km_h:
             raise inputs.BadInput(f"--to-km-h {to_km_h:g} km/h: allowed above --from-km-h {from_km_h:g} km/h")
         inputs.require_new_file(figure, "--out", inputs.FIGURES)
-        vehicle, _ = _linear(case)
+        vehicle, _ = _linear(changed_case(case, vehicle_, set_))
         if nonlinear:
             _by_motion(vehicle, from_km_h, to_km_h, step_km_h, resolution_km_h, figure)
             return
@@ -240,11 +248,9 @@ def _what(found: "CriticalSpeed", vehicle: "LinearVehicle") -> str:
     return f"{mode.frequency:.3f} Hz, {wavelength:.2f} m, {mode.largest(vehicle.names)} moves most"
 
 
-def _linear(path: Path) -> "tuple[LinearVehicle, float]":
+def _linear(case: "Case") -> "tuple[LinearVehicle, float]":
     """The vehicle of a case for linear analysis, and the case's speed [m/s]."""
-    from hh_exudyn.case import read_case
     from hh_exudyn.multibody.linear.modes import LinearVehicle
 
-    case = read_case(path)
     with inputs.refused_as_bad_input():
         return LinearVehicle(case.described_vehicle(), case), case.speed

@@ -53,6 +53,12 @@ def _vehicles() -> Iterable[str]:
     return vehicle_names()
 
 
+def _templates() -> Iterable[str]:
+    from vehicles.whole.templates import TEMPLATES
+
+    return TEMPLATES
+
+
 def _lines() -> Iterable[str]:
     from track.line.line_file import line_names
 
@@ -79,6 +85,7 @@ LISTS: dict[str, Callable[[], Iterable[str]]] = {
     "surfaces": _surfaces,
     "steels": _steels,
     "vehicles": _vehicles,
+    "templates": _templates,
     "lines": _lines,
     "wheels": _wheels,
     "rails": _rails,

@@ -168,6 +168,12 @@ def write_table(table: "pyarrow.Table", path: Path, option: str) -> None:
         pyarrow.csv.write_csv(table, path)
 
 
+def write_text(text: str, path: Path, option: str, kind: str) -> None:
+    """Write a text of some kind, as `write_figure` does."""
+    with _written(path, option, kind):
+        path.write_text(text, encoding="utf-8")
+
+
 @contextmanager
 def _written(path: Path, option: str, kind: str) -> Iterator[None]:
     """Print the path of a file after it is written; a file that cannot be written is bad input."""

@@ -1,4 +1,6 @@
-"""The commands about vehicles: ``vehicle list``, ``show``, ``compare``. They compute nothing themselves.
+"""The commands about vehicles: ``vehicle list``, ``show``, ``compare``, ``export``, ``new``.
+
+They compute nothing themselves.
 
 Large packages are imported inside the commands, so that ``--help`` is fast.
 """
@@ -18,14 +20,18 @@ if TYPE_CHECKING:
     from vehicles.description import Vehicle
     from vehicles.variants import Variant
 
-vehicle = typer.Typer(help="Look at vehicles and compare them.", no_args_is_help=True)
+vehicle = typer.Typer(help="Look at vehicles, compare and write them.", no_args_is_help=True)
 
 NewDrawing = Annotated[
     Path | None,
     typer.Option("--figure", metavar="FILE", help="Draw side and top view into this new file."),
 ]
 Source = Annotated[
-    str, typer.Argument(metavar="NAME|FILE", help="A vehicle file (.toml), or one of {vehicles}.")
+    str, typer.Argument(metavar="NAME|FILE", help="A vehicle file (.toml, .json), or one of {vehicles}.")
+]
+NewVehicleFile = Annotated[
+    Path | None,
+    typer.Option("-o", "--out", metavar="FILE.toml", help="Write to this new file, not to the screen."),
 ]
 
 
@@ -36,7 +42,7 @@ def register(app: typer.Typer) -> None:
 
 @vehicle.callback()
 def _vehicle() -> None:
-    """Look at vehicles and compare them."""
+    """Look at vehicles, compare and write them."""
 
 
 @vehicle.command(name="list")
@@ -63,14 +69,19 @@ def show(source: Source, figure: NewDrawing = None) -> None:
     with output.errors_in_one_line():
         inputs.require_new_file(figure, "--figure", inputs.FIGURES)
         variant = _variant(source)
+        from vehicles.variants import is_vehicle_file
+
         described = variant.vehicle()
         parameters = variant.parameters()
-        output.print_table(_parameter_table(f"Parameters of {variant.name}", parameters))
+        places = variant.document().coordinates() if is_vehicle_file(variant.base) else frozenset()
+        output.print_table(_parameter_table(f"Parameters of {variant.name}", parameters, places))
+        if places:
+            output.print_line(f"{len(places)} coordinates of places are in its file")
         if variant.description:
             output.print_line(f"{variant.name}: {variant.description}")
         output.print_line(_count(parameters))
         changes = variant.differences()
-        if variant.name != variant.base:
+        if changes or (not is_vehicle_file(variant.base) and variant.name != variant.base):
             output.print_line(f"based on {variant.base}, {_difference_count(len(changes))}")
         if changes:
             output.print_table(_difference_table(f"Differences from {variant.base}", changes, variant.base))
@@ -97,12 +108,47 @@ def compare(first: Source, second: Source) -> None:
         output.print_line(f"{title}: {_difference_count(len(found))}")
 
 
+@vehicle.command(cls=NamesInHelp)
+def export(source: Source, out: NewVehicleFile = None) -> None:
+    """A vehicle as a file with all bodies, couplings and numbers, each with unit and source."""
+    with output.errors_in_one_line():
+        from vehicles.whole.writing import to_toml
+
+        inputs.require_new_file(out, "-o", inputs.VEHICLES)
+        variant = _variant(source)
+        _write(to_toml(variant.document(), f"written by hh-exudyn vehicle export {source}"), out)
+
+
+@vehicle.command(cls=NamesInHelp)
+def new(
+    template: Annotated[str, typer.Argument(metavar="TEMPLATE", help="One of {templates}.")],
+    out: NewVehicleFile = None,
+) -> None:
+    """A vehicle file to start from: a whole vehicle, with a head that explains how it is written."""
+    with output.errors_in_one_line():
+        from vehicles.whole.templates import template as template_of
+
+        inputs.require_new_file(out, "-o", inputs.VEHICLES)
+        with inputs.refused_as_bad_input():
+            text = template_of(template)
+        _write(text, out)
+
+
+def _write(text: str, out: Path | None) -> None:
+    """Text of a file into a new file, or to the screen."""
+    if out is None:
+        typer.echo(text, nl=False)
+        return
+    output.write_text(text, out, "-o", "vehicle")
+
+
 def _variant(source: str) -> "Variant":
     """The vehicle of a name or file; raises `BadInput` for anything else."""
+    from hh_exudyn.case.vehicle import variant_behind
     from vehicles.variants import find_variant
 
     with inputs.refused_as_bad_input():
-        return find_variant(source)
+        return variant_behind(source) or find_variant(source)
 
 
 def _difference_count(count: int) -> str:
@@ -110,11 +156,13 @@ def _difference_count(count: int) -> str:
     return "1 number differs" if count == 1 else f"{count or 'no'} numbers differ"
 
 
-def _parameter_table(title: str, parameters: "ParameterSet") -> Table:
+def _parameter_table(title: str, parameters: "ParameterSet", left_out: frozenset[str]) -> Table:
     """A line per number, the parts one after the other; assumed and changed ones are marked."""
     table = _text_table(title, ("part", "number", "value", "unit", "", "source"))
     part = ""
     for parameter in parameters.parameters:
+        if parameter.name in left_out:
+            continue
         own, number = parameter.name.split(".", 1)
         if part and own != part:
             table.add_section()

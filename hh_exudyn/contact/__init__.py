@@ -21,6 +21,7 @@ Their composition.
 `contact_frame`     axes of a contact on a rail that turns and slopes
 `patch_forces`      forces of one patch: normal force with its damping, creepages, creep forces
 `strip_forces`      forces of one wheel by coupled strips
+`wheels`            wheels of one vehicle that differ in their profiles
 `wheel_rail`        pose and velocity of wheelsets and rails -> wrenches and patches, in one kernel
 `wheelset`          a wheel or a wheelset at rest on its rails: the height that carries the load
 `patch_shape`       strips and tractions of a logged patch

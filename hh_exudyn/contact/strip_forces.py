@@ -35,6 +35,7 @@ from hh_exudyn.contact.types import (
     WheelRailModel,
     WheelsetMotion,
 )
+from hh_exudyn.contact.wheels import strips_in
 from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
 
 _STATE = ROWS * CAPACITY
@@ -68,7 +69,7 @@ def add_strips(
     """
     state = memory(_STATE)
     side = 0 if pair.side > 0.0 else 1
-    strips = model.strips_left if side == 0 else model.strips_right
+    strips = strips_in(model, i, side)
     count = overlapping_strips(pair, strips, state)
     if count == 0:
         return True
@@ -86,6 +87,7 @@ def add_strips(
     _write_patches(
         model,
         pair,
+        i,
         wheelsets.velocity[i, 0],
         rails.rotation[i, side],
         Row.REFINED if forces.refine[0] > 0.0 else Row.PRESSURE,
@@ -110,7 +112,7 @@ def _slip(
     s = shaped(state, (ROWS, CAPACITY))
     side = 0 if pair.side > 0.0 else 1
     along_rail = model.rails_left if side == 0 else model.rails_right
-    strips = model.strips_left if side == 0 else model.strips_right
+    strips = strips_in(model, i, side)
     velocity = _into(
         rails.rotation[i, side],
         wheelsets.velocity[i, 0],
@@ -209,6 +211,7 @@ def _add_wrench(
 def _write_patches(
     model: WheelRailModel,
     pair: WheelRailPair,
+    i: int,
     speed: float,
     rotation: FloatArray,
     pressure: int,
@@ -225,7 +228,7 @@ def _write_patches(
         if s[Row.LOAD, first] > 0.0:
             while last + 1 < count and touch(last, state):
                 last += 1
-            _write_patch(model, pair, speed, rotation, pressure, first, last, state, records[present])
+            _write_patch(model, pair, i, speed, rotation, pressure, first, last, state, records[present])
             place = present
             while place > 0 and records[place, Patch.NORMAL_FORCE] > records[place - 1, Patch.NORMAL_FORCE]:
                 for column in range(PATCH_COLUMNS):
@@ -245,6 +248,7 @@ def _write_patches(
 def _write_patch(
     model: WheelRailModel,
     pair: WheelRailPair,
+    i: int,
     speed: float,
     rotation: FloatArray,
     pressure: int,
@@ -255,7 +259,7 @@ def _write_patch(
 ) -> None:
     """Fill the record of one run of strips."""
     s = shaped(state, (ROWS, CAPACITY))
-    strips = model.strips_left if pair.side > 0.0 else model.strips_right
+    strips = strips_in(model, i, 0 if pair.side > 0.0 else 1)
     for column in range(PATCH_COLUMNS):
         record[column] = 0.0
     total, inward, upward, power, peak = 0.0, 0.0, 0.0, 0.0, -1.0

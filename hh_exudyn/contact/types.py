@@ -6,7 +6,7 @@ of a NamedTuple defined in a script are not cached.
 
 from typing import Any, NamedTuple
 
-from hh_exudyn.arrays import FloatArray
+from hh_exudyn.arrays import FloatArray, IntArray
 
 Triple = tuple[float, float, float]
 Quadruple = tuple[float, float, float, float]
@@ -36,6 +36,16 @@ class WheelStrips(NamedTuple):
     slope: FloatArray  # [-]
     arc: FloatArray  # place along the arc [m]
     width: FloatArray  # along the arc [m]
+
+
+class WheelTables(NamedTuple):
+    """The different wheel profiles of a vehicle in rows, and which wheel has which (`wheels`); else empty."""
+
+    starts: FloatArray  # (profiles,) y of the first node [m]; the node spacing is that of all wheels
+    nodes: FloatArray  # (profiles, 3, n) z, second, slope as of `SplineTable`
+    strips: FloatArray  # (profiles, 5, strips) as of `WheelStrips`
+    counts: IntArray  # (profiles, 2) nodes and strips in use
+    which: IntArray  # (wheelsets, 2) profile of the left and the right wheel
 
 
 class RailTables(NamedTuple):
@@ -70,8 +80,9 @@ class GivenCreep(NamedTuple):
 class WheelRailModel(NamedTuple):
     """Everything about the contact that does not change during a run.
 
-    The profiles of the left and right side may differ (a measured wheel, a worn high rail), and the rails
-    along the track: `rail_tables.rail_at` gives the one at an arc length.
+    The profiles of the left and right side may differ (a measured wheel, a worn high rail), the wheels from
+    wheelset to wheelset too, and the rails along the track: `rail_tables.rail_at` gives the one at an arc
+    length.
     """
 
     wheel_left: SplineTable
@@ -80,6 +91,7 @@ class WheelRailModel(NamedTuple):
     strips_right: WheelStrips
     rails_left: RailTables
     rails_right: RailTables
+    wheels: WheelTables  # of wheelsets that differ; empty where all have the wheels above
     running_circle_distance: float  # half the lateral distance of the two running circles [m]
     nominal_radius: float  # wheel radius at the running circle [m]
     shear_modulus: float  # of both bodies [Pa]

@@ -38,6 +38,7 @@ from hh_exudyn.contact.strips.table import wheel_strips
 from hh_exudyn.contact.tangential.registry import THEORIES
 from hh_exudyn.contact.tangential.strips import STRIP_COLUMNS
 from hh_exudyn.contact.types import ContactForces, GivenCreep, RailMotion, WheelRailModel, WheelsetMotion
+from hh_exudyn.contact.wheels import no_wheels, wheel_in
 from hh_exudyn.conventions import BACK_TO_BACK, FLANGE_BACK_TO_RUNNING_CIRCLE
 from hh_exudyn.kernel import inlined_kernel, memory, shaped
 
@@ -110,6 +111,7 @@ def wheel_rail_model(
         strips_right=wheel_strips(right),
         rails_left=rail_tables(_course(rail_left), smoothing),
         rails_right=rail_tables(_course(rail_right), smoothing),
+        wheels=no_wheels(),
         running_circle_distance=0.5 * back_to_back + FLANGE_BACK_TO_RUNNING_CIRCLE,
         nominal_radius=float(nominal_radius),
         shear_modulus=material.shear_modulus,
@@ -203,7 +205,7 @@ def wheel_rail_forces(
     for i in range(wheelsets.position.shape[0]):
         for s in range(2):
             side = 1.0 - 2.0 * s
-            wheel = model.wheel_left if s == 0 else model.wheel_right
+            wheel = wheel_in(model, i, s)
             along = model.rails_left if s == 0 else model.rails_right
             rail, _ = rail_in(along, rails.arc_length[i], room)
             _seen_from_rail(wheelsets, rails, i, s, centre, axle)

@@ -13,6 +13,7 @@
 `traction`        a locomotive: drives over time, efforts over speed, bogies in curves by variant of steering
 `assessment`      quantities of EN 14363 over the track with their limits; test sections against them
 `curving`         angle of attack, place and forces of every wheelset over the radius of the curve
+`comparison`      runs beside each other, a panel for each quantity
 `wheel_forces`    Q and Y of every wheel: distributions with their ranges, and spectra
 `style`           sizes and colours that the figures have in common
 ================  ======================================================================================

@@ -27,6 +27,7 @@
 `simulate`       `simulate(case, directory)`
 `built`          `build(case)`: the system before `Assemble()`, in its user's hands
 `once`           `simulate_once`: finished runs of a study are reused
+`many`           `simulate_many`: a pool of processes, a folder for each case
 `hysteresis`     force over deflection of a bogie's friction elements in slow cycles
 `free_wheelset`  a wheelset that nothing guides, on cones
 `validation`     vehicles against closed forms and outside numbers, as rows of `hh-exudyn validate`

@@ -12,6 +12,7 @@ import numpy as np
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.state import Patch
 from hh_exudyn.contact.types import SplineTable
+from hh_exudyn.contact.wheels import wheel_of
 from hh_exudyn.kernel import Bundle, allocating_kernel, kernel
 from hh_exudyn.multibody.chatter import ChatterState, chatter_state, chattering_wheels, count_chatter
 from hh_exudyn.multibody.climb import ClimbState, climb_state, climbing_wheels, see_climb
@@ -65,7 +66,7 @@ class WatchState(NamedTuple):
     chatter: ChatterState
     climb: ClimbState
     states: FloatArray  # (1,) number of accepted states
-    flange_limit: FloatArray  # (2,) y on the wheel profile beyond which a contact is on the flange tip [m]
+    flange_limit: FloatArray  # (wheelsets, 2) y beyond which a contact is on the flange tip [m]
 
 
 def watch_state(model: SystemModel) -> WatchState:
@@ -76,7 +77,6 @@ def watch_state(model: SystemModel) -> WatchState:
     model : number of wheelsets and wheel profiles are read
     """
     shape = (len(model.wheelsets), 2)
-    wheels = (model.wheel_rail.wheel_left, model.wheel_rail.wheel_right)
     return WatchState(
         airborne=np.zeros(shape),
         lateral_force=np.zeros(shape),
@@ -86,7 +86,9 @@ def watch_state(model: SystemModel) -> WatchState:
         chatter=chatter_state(len(model.wheelsets)),
         climb=climb_state(len(model.wheelsets)),
         states=np.zeros(1),
-        flange_limit=np.array([_flange_limit(wheel) for wheel in wheels]),
+        flange_limit=np.array(
+            [[_flange_limit(wheel_of(model.wheel_rail, i, s)) for s in range(2)] for i in range(shape[0])]
+        ),
     )
 
 
@@ -131,7 +133,7 @@ def look(work: Workspace, state: WatchState, step: float) -> tuple[Trouble, int,
             for patch in range(work.patches.shape[2]):
                 state.floored[w, side] += work.patches[w, side, patch, Patch.FLOORED]
                 if work.patches[w, side, patch, Patch.NORMAL_FORCE] > 0.0 and (
-                    work.patches[w, side, patch, Patch.Y_WHEEL] > state.flange_limit[side]
+                    work.patches[w, side, patch, Patch.Y_WHEEL] > state.flange_limit[w, side]
                 ):
                     return Trouble.CLIMB, w, side
             change = work.rail_force[w, side, 0] - state.lateral_force[w, side]

@@ -20,6 +20,7 @@ from damage.material import ER7
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case import Case
 from hh_exudyn.contact.geometry.rail_tables import RailCourse
+from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.log.store import Run
 from hh_exudyn.playback.frames import Poses, moving_frame, relative
@@ -84,10 +85,20 @@ def scene(case: Case, described: Vehicle | None = None) -> Scene:
     described
         The vehicle of the run; None for that of the case.
     """
-    tread = np.column_stack([case.wheel.y, case.wheel.z])
     vehicle = described or case.described_vehicle()
+    own = {}
+    if case.wheel_profiles is not None:
+        for wheelset, (left, right) in zip(
+            vehicle.wheelsets, case.wheels(len(vehicle.wheelsets)), strict=True
+        ):
+            own[wheelset.body] = (_tread(left), _tread(right))
     rails = (case.track.rail_course(LEFT), case.track.rail_course(RIGHT))
-    return Scene(vehicle, vehicle_shapes(vehicle, tread), case.alignment(), *rails)
+    shapes = vehicle_shapes(vehicle, _tread(case.wheel), own)
+    return Scene(vehicle, shapes, case.alignment(), *rails)
+
+
+def _tread(wheel: Profile) -> FloatArray:
+    return np.column_stack([wheel.y, wheel.z])
 
 
 def leading_body(vehicle: Vehicle) -> str:

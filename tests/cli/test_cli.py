@@ -282,7 +282,7 @@ def test_playback_saves_a_new_file_only(
 
 INTERRUPT = """
 import contextlib, os, signal
-import hh_exudyn.cli.app as cli
+import hh_exudyn.cli.run as cli
 
 @contextlib.contextmanager
 def bar(name):  # Ctrl-C when a third of the run is done

@@ -19,7 +19,7 @@ SHORT = Case.from_toml(DEMO).with_changes(
 )
 SIGNAL = """
 import contextlib, os, signal
-import hh_exudyn.cli.app as cli
+import hh_exudyn.cli.run as cli
 
 @contextlib.contextmanager
 def bar(name):  # a signal when two thirds of the run are done

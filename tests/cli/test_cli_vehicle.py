@@ -9,6 +9,11 @@ import pytest
 
 from hh_exudyn.sourced import load_parameters
 from vehicles.catalogue import VEHICLES
+from vehicles.catalogue import vehicle as described
+from vehicles.stored import to_json
+from vehicles.variants import find_variant
+from vehicles.whole.file import read_whole
+from vehicles.whole.templates import TEMPLATES
 
 call = partial(command_line.call, "vehicle")
 refused = partial(command_line.refused, "vehicle")
@@ -85,3 +90,44 @@ def test_refusals(worn: Path, tmp_path: Path) -> None:
     assert "no.toml: cannot be read" in refused("compare", "iore_wagon_loaded", tmp_path / "no.toml")
     worn.write_text(worn.read_text().replace("friction", "fiction"))
     assert "worn.toml: unknown parameter wedge.fiction; did you mean wedge.friction?" in refused("show", worn)
+
+
+def test_export_and_show_are_the_same_vehicle(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    said("export", "iore_wagon_loaded", "-o", path)
+    assert read_whole(path).vehicle() == described("iore_wagon_loaded")
+    text = said("show", path)
+    assert "coordinates of places are in its file" in text
+    assert cells(text, "1 +1")[2:] == ["4.274", "915", "294.3", "30.00"]
+    assert "0 numbers" not in text
+    assert "no numbers differ" in said("compare", path, path)
+    # without -o onto the screen, the same text
+    assert call("export", "iore_wagon_loaded").stdout == path.read_text()
+
+
+def test_export_of_a_variant_and_of_a_run(worn: Path, tmp_path: Path) -> None:
+    path = tmp_path / "whole.toml"
+    said("export", worn, "-o", path)
+    assert read_whole(path).vehicle() == find_variant(worn).vehicle()
+    assert 'friction = { value = 0.35, unit = "-", source = "variant: worn.toml" }' in path.read_text()
+    stored = tmp_path / "vehicle.json"
+    stored.write_text(to_json(find_variant(worn).vehicle(), find_variant(worn).origin()))
+    assert call("export", stored).stdout.splitlines()[1:] == path.read_text().splitlines()[1:]
+    said("show", stored)
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_a_template_is_a_vehicle_with_an_explained_file(name: str, tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    said("new", name, "-o", path)
+    assert path.read_text().startswith("# ")
+    assert "Wheelsets at rest" in said("show", path)
+    assert max(len(line) for line in path.read_text().splitlines() if line.startswith("#")) <= 120
+
+
+def test_refusals_of_export_and_new(tmp_path: Path, worn: Path) -> None:
+    assert "vehicle 'iore_wagon' is not known" in refused("export", "iore_wagon")
+    assert "exists already, allowed is a new file" in refused("export", "iore_wagon_loaded", "-o", worn)
+    assert "allowed is .toml" in refused("export", "iore_wagon_loaded", "-o", tmp_path / "a.json")
+    assert 'did you mean "three_piece_wagon"?' in refused("new", "three_piece")
+    assert "there is no folder" in refused("new", "co_co", "-o", tmp_path / "none" / "a.toml")

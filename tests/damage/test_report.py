@@ -205,3 +205,18 @@ def test_wear_figure_draws_the_depth(report: DamageReport) -> None:
             top = drawn.get_paths()[0].vertices[:, 1].max()
             assert top == pytest.approx(wheel_depth[where].max() / scale)
         assert axes.get_ylim()[1] > depth[:, ~root].max()
+
+
+def test_a_report_of_some_wheels_has_their_rows_of_the_whole(
+    report: DamageReport, random_log: pyarrow.Table
+) -> None:
+    """The distance and the output times stay those of the whole log."""
+    wanted = [wheel for wheel in report.surface.wheels if wheel.wheelset == 2 or wheel.side == 1]
+    assert 0 < len(wanted) < len(report.surface.wheels)
+    places = {(wheel.vehicle, wheel.wheelset, wheel.side) for wheel in wanted}
+    some = assess(random_log, cells=CELLS, wheels=places)
+    assert some.surface.wheels == tuple(wanted)
+    assert some.surface.distance == report.surface.distance
+    rows = report.to_table().to_pylist()
+    wanted_rows = [row for row in rows if (row["vehicle"], row["wheelset"], row["side"]) in places]
+    assert some.to_table().to_pylist() == wanted_rows

@@ -5,6 +5,8 @@ sizes of `vehicles.outline`. Wheels are turned from their profile with their tru
 radius. No dynamics reads shapes.
 """
 
+from collections.abc import Mapping
+
 import numpy as np
 import trimesh
 
@@ -19,7 +21,9 @@ from vehicles.description import Body, Vehicle
 from vehicles.outline import RUNNING_CIRCLE, attachments
 
 
-def vehicle_shapes(vehicle: Vehicle, tread: FloatArray) -> dict[str, trimesh.Trimesh]:
+def vehicle_shapes(
+    vehicle: Vehicle, tread: FloatArray, own: Mapping[str, tuple[FloatArray, FloatArray]] | None = None
+) -> dict[str, trimesh.Trimesh]:
     """Shapes by entity below the vehicle: the names of its bodies, and ``<car body>/ore`` of a loaded wagon.
 
     Parameters
@@ -28,6 +32,8 @@ def vehicle_shapes(vehicle: Vehicle, tread: FloatArray) -> dict[str, trimesh.Tri
         Any vehicle.
     tread
         (n, 2) wheel profile (y, z) in side coordinates, from the field side to the flange back [m].
+    own
+        Such profiles of the left and the right wheel, by body of the wheelsets that have others.
     """
     size = wagon_dimensions(vehicle) if is_ore_wagon(vehicle) else None
     wheels = {wheelset.body: wheelset.radius for wheelset in vehicle.wheelsets}
@@ -35,7 +41,8 @@ def vehicle_shapes(vehicle: Vehicle, tread: FloatArray) -> dict[str, trimesh.Tri
     shapes = {}
     for body in vehicle.bodies:
         if body.name in wheels:
-            shapes[body.name] = wheelset_shape(wheels[body.name], _journal(vehicle, body), tread, middle)
+            treads = (own or {}).get(body.name, (tread, tread))
+            shapes[body.name] = wheelset_shape(wheels[body.name], _journal(vehicle, body), treads, middle)
         elif size is not None:
             shapes |= _of_wagon(size, body)
         else:

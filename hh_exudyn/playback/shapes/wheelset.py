@@ -22,7 +22,10 @@ AXLE_RADIUS = 0.095
 
 
 def wheelset_shape(
-    radius: float, journal: float, tread: FloatArray, middle: float = RUNNING_CIRCLE
+    radius: float,
+    journal: float,
+    treads: tuple[FloatArray, FloatArray],
+    middle: float = RUNNING_CIRCLE,
 ) -> trimesh.Trimesh:
     """A wheelset about its centre; white marks show that it turns.
 
@@ -32,8 +35,9 @@ def wheelset_shape(
         Of the wheels at the running circle [m].
     journal
         Half the distance of the bearings [m]; they are drawn where they are outside of the wheels.
-    tread
-        (n, 2) wheel profile (y, z) in side coordinates, from the field side to the flange back [m].
+    treads
+        (n, 2) profiles (y, z) of the left and the right wheel in side coordinates, from the field side to the
+        flange back [m].
     middle
         Half the distance of the running circles [m].
     """
@@ -53,7 +57,7 @@ def wheelset_shape(
         AXLE,
     )  # fmt: skip
     parts = [axle]
-    for side in (LEFT, RIGHT):
+    for side, tread in zip((LEFT, RIGHT), treads, strict=True):
         parts.append(_wheel(radius, middle, tread, side))
         if bearings:
             bearing = np.array([[journal - 0.10, 0.105], [journal + 0.09, 0.105], [journal + 0.13, 0.085]])
