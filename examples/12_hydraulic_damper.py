@@ -2,8 +2,8 @@
 
     python examples/12_hydraulic_damper.py [FOLDER]
 
-Yaw dampers between car body and bogies of a passenger coach: steep up to their blow-off force, flat beyond.
-Any of Exudyn's items can be added so; named sensors are logged with the run. Draws the loop of a damper.
+Yaw dampers between car body and bogies: steep up to their blow-off force, flat beyond. Any of Exudyn's items
+can be added so; named sensors are logged with the run. Draws the loop of a damper.
 """
 
 import sys
@@ -16,32 +16,27 @@ import numpy as np
 from exudyn.itemInterface import ObjectConnectorSpringDamper, SensorObject
 
 from hh_exudyn.case import Case, StraightCase, TrackCase
-from hh_exudyn.log.store import Run
+from hh_exudyn.log.sensors import sensor_values
 from hh_exudyn.multibody.exudyn_system import ExudynSystem
 from hh_exudyn.multibody.simulate import simulate
 
 DAMPING, BLOW_OFF = 600e3, 8e3  # N s/m, N
 HALF_SPACING, HEIGHT, LENGTH = 1.3, 0.7, 0.8  # m, of the dampers
-BOGIES = {"bogie_frame_1": 9.5, "bogie_frame_2": -9.5}  # m, places of their middles
 TRACK = TrackCase(rail="60E1", irregularity="erri_high", sections=(StraightCase(length_m=150),))
 
 
-def damper_force(
-    mbs: object, time: float, item: int, stretch: float, rate: float, stiffness: float, damping: float,
-    force: float,
-) -> float:  # fmt: skip
+def damper_force(mbs: object, time: float, item: int, stretch: float, rate: float, *_: float) -> float:
     """Force of a damper that opens at its blow-off force [N]."""
     return DAMPING * rate / float(np.hypot(1.0, DAMPING * rate / BLOW_OFF))
 
 
 def yaw_dampers(system: ExudynSystem) -> None:
-    for frame, x in BOGIES.items():
+    for frame, x in {"bogie_frame_1": 9.5, "bogie_frame_2": -9.5}.items():
         for side, letter in ((1, "L"), (-1, "R")):
             ends = [(x, side * HALF_SPACING, HEIGHT), (x + LENGTH, side * HALF_SPACING, HEIGHT)]
             markers = [system.marker(frame, ends[0]), system.marker("car_body", ends[1])]
-            damper = ObjectConnectorSpringDamper(
-                markerNumbers=markers, referenceLength=LENGTH, springForceUserFunction=damper_force
-            )
+            damper = ObjectConnectorSpringDamper(markerNumbers=markers, referenceLength=LENGTH)
+            damper.springForceUserFunction = damper_force
             number = system.mbs.AddObject(damper)
             for name in ("Force", "Velocity"):
                 kind = getattr(exudyn.OutputVariableType, name)
@@ -49,23 +44,16 @@ def yaw_dampers(system: ExudynSystem) -> None:
                 system.sensors[f"{name} {frame[-1]}{letter}"] = system.mbs.AddSensor(sensor)
 
 
-def first_component(run: Run, sensor: str) -> np.ndarray:
-    """Values of the first component of a sensor, along the track here."""
-    log = run.read("sensors")
-    wanted = (np.array(log["sensor"].to_pylist()) == sensor) & (log["component"].to_numpy() == 0)
-    return log["value"].to_numpy()[wanted]
-
-
 def main() -> None:
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="yaw-dampers-"))
     case = Case(name="dampers", vehicle="manchester_vehicle_1", speed_km_h=120, friction=0.35, track=TRACK)
     run = simulate(case, folder / "run", extend=yaw_dampers)
-    print(f"{len(BOGIES) * 2} yaw dampers, {run.directory}")
-    rate, force = (first_component(run, f"{name} 1L") for name in ("Velocity", "Force"))
-    print(f"  damper 1L: up to {abs(force).max() / 1e3:.2f} kN at {abs(rate).max() * 1e3:.1f} mm/s")
+    rate, force = (sensor_values(run, f"{name} 1L")[1][:, 0] for name in ("Velocity", "Force"))
+    print(
+        f"damper 1L: up to {abs(force).max() / 1e3:.2f} kN at {abs(rate).max() * 1e3:.1f} mm/s, {run.directory}"
+    )
     plt.plot(1e3 * rate, 1e-3 * force, ".", markersize=2)
-    plt.xlabel("rate of stretching [mm/s]")
-    plt.ylabel("force of yaw damper 1L [kN]")
+    plt.gca().set(xlabel="rate of stretching [mm/s]", ylabel="force of yaw damper 1L [kN]")
     plt.savefig(folder / "damper.png", dpi=150)
 
 
