@@ -197,7 +197,7 @@ def test_every_example_is_run_here() -> None:
 
 def test_a_variant_from_a_file() -> None:
     """Stiffer pads, another wheelbase, other wedges, and nothing else."""
-    variant = find_variant(EXAMPLES / "12_stiffer_wagon.toml")
+    variant = find_variant(EXAMPLES / "14_stiffer_wagon.toml")
     changed = {one.name for one in variant.differences()}
     assert changed == {
         "axle_box_pad.longitudinal_stiffness", "axle_box_pad.lateral_stiffness", "wheelset.wheelbase",

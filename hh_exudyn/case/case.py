@@ -314,7 +314,8 @@ class Case(CaseTable):
         )
         if self.wheel_profiles is None:
             return model
-        return with_wheels(model, self.wheels(len(vehicle.wheelsets)))
+        smoothing = self.contact.profile_smoothing_mm / 1000
+        return with_wheels(model, self.wheels(len(vehicle.wheelsets)), smoothing)
 
     def mirrored(self) -> "Case":
         """The same case with left and right exchanged."""

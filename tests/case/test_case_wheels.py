@@ -3,6 +3,7 @@
 from importlib.resources import files
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from hh_exudyn.case import Case, CaseError, read_case
@@ -66,6 +67,14 @@ def test_the_model_has_a_table_for_every_profile() -> None:
     wheels = case.contact_model().wheels
     assert wheels.which.tolist() == [[0, 1], [1, 1], [0, 0], [1, 1]]
     assert Case.from_toml(DEMO).contact_model().wheels.which.size == 0
+
+
+def test_all_wheels_are_smoothed_alike() -> None:
+    """By the case's own length, as the wheel of a case without the table."""
+    plain = Case.from_toml(DEMO).with_changes(contact={"profile_smoothing_mm": 2.0})
+    own = plain.with_changes(wheel_profiles={"2R": "S1002"}).contact_model()
+    wanted = plain.contact_model().wheel_left
+    np.testing.assert_array_equal(own.wheels.nodes[0], [wanted.z, wanted.second, wanted.slope])
 
 
 FAULTS = {
