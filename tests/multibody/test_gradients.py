@@ -121,7 +121,7 @@ def test_a_canted_curve_on_a_slope_is_steady_as_statics_say(demo, runs):
     whole = table(run, "energy")
     given, gained = balance(whole)
     stored = spring_energy(WAGON, table(run, "motion"))
-    assert stored[0] == pytest.approx(32.8e3, rel=0.01)
+    assert stored[0] == pytest.approx(33.95e3, rel=0.01)  # 21.6 kJ in the nests, 12.3 kJ in the wedges
     assert -2e3 < stored[-1] - stored[0] < -500.0
     missing = gained + stored - stored[0] - given  # elastic energy of pads and contacts: tens of J
     assert np.abs(missing).max() < 150.0  # of 1.7 MJ, the cant ramp included
