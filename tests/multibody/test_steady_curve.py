@@ -50,7 +50,7 @@ def test_the_run_settles(demo_run):
 
 
 def test_sleepers_pass_at_speed_over_spacing(contact):
-    """Above 10 Hz the wheel load's spectrum has its peak there, some tenths of a per cent of the load."""
+    """Above 10 Hz the wheel load's spectrum has its peak there, from a tenth of a per cent of the load."""
     sleepers = track_flexibility("concrete").sleeper_spacing
     for w in (1, 2, 3, 4):
         for side in (1, -1):
@@ -63,7 +63,7 @@ def test_sleepers_pass_at_speed_over_spacing(contact):
             peak = np.argmax(amplitude)
             passing = contact.speed[wheel].mean() / sleepers
             assert frequency[peak] == pytest.approx(passing, abs=1.0 / (time[-1] - time[0]))
-            assert 0.2e3 < amplitude[peak] < 2e3
+            assert 0.15e3 < amplitude[peak] < 2e3
 
 
 def test_forces_carry_cant_deficiency_and_weight_and_the_train_pays_for_what_is_lost(demo_run):

@@ -157,9 +157,8 @@ def wedge(p: WedgeNumbers, motion: Motion, condition: Condition) -> Reaction:
         spring = stiffness * (p.compression + p.towards[2] * ahead + p.down[2] * drop)
         before = first if line == 0 else second
         if settle and spring > 0.0:
-            rub = WedgeForces(
-                0.0, faces.stick_stiffness * (way[1] - before[1]), 0.0, (way[0], before[1], way[2])
-            )
+            across = faces.stick_stiffness * (way[1] - before[1]) + faces.stick_damping * rate[1]
+            rub = WedgeForces(0.0, across, 0.0, (way[0], before[1], way[2]))
         else:
             rub = force_laws.wedge(way, before, rate, spring, faces)
         spring = max(spring, 0.0)
