@@ -21,7 +21,7 @@ from hh_exudyn.multibody.exudyn_system import ExudynSystem
 from hh_exudyn.multibody.simulate import simulate
 
 DAMPING, BLOW_OFF = 600e3, 8e3  # N s/m, N
-HALF_SPACING, HEIGHT, LENGTH = 1.3, 0.7, 0.8  # m, of the dampers
+HALF_SPACING, HEIGHT, LENGTH = 1.3, 0.7, 0.8  # m
 TRACK = TrackCase(rail="60E1", irregularity="erri_high", sections=(StraightCase(length_m=150),))
 
 
@@ -39,8 +39,8 @@ def yaw_dampers(system: ExudynSystem) -> None:
             damper.springForceUserFunction = damper_force
             number = system.mbs.AddObject(damper)
             for name in ("Force", "Velocity"):
-                kind = getattr(exudyn.OutputVariableType, name)
-                sensor = SensorObject(objectNumber=number, storeInternal=False, outputVariableType=kind)
+                sensor = SensorObject(objectNumber=number, storeInternal=False)
+                sensor.outputVariableType = getattr(exudyn.OutputVariableType, name)
                 system.sensors[f"{name} {frame[-1]}{letter}"] = system.mbs.AddSensor(sensor)
 
 
@@ -49,11 +49,9 @@ def main() -> None:
     case = Case(name="dampers", vehicle="manchester_vehicle_1", speed_km_h=120, friction=0.35, track=TRACK)
     run = simulate(case, folder / "run", extend=yaw_dampers)
     rate, force = (sensor_values(run, f"{name} 1L")[1][:, 0] for name in ("Velocity", "Force"))
-    print(
-        f"damper 1L: up to {abs(force).max() / 1e3:.2f} kN at {abs(rate).max() * 1e3:.1f} mm/s, {run.directory}"
-    )
+    print(f"damper 1L: up to {abs(force).max() / 1e3:.2f} kN, {run.directory}")
     plt.plot(1e3 * rate, 1e-3 * force, ".", markersize=2)
-    plt.gca().set(xlabel="rate of stretching [mm/s]", ylabel="force of yaw damper 1L [kN]")
+    plt.gca().set(xlabel="rate of yaw damper 1L [mm/s]", ylabel="its force [kN]")
     plt.savefig(folder / "damper.png", dpi=150)
 
 

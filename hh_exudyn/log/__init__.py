@@ -7,6 +7,7 @@
 `recorder`      writes the logs: rows buffered in numpy, to disk in parts
 `ending`        how a run ended: results of one cut short need consent
 `store`         a run on disk, and reading it back
+`sensors`       values of an extension's sensors over time
 `wheel_forces`  Q and Y of every wheel over time
 ==============  ======================================================================================
 

@@ -12,6 +12,7 @@
 `equilibrium`    rest on straight track, before the run
 `rolling`        state of a vehicle that rolls in one place: the unknowns of the equilibrium
 `settling`       its damped motion, where no root search finds the equilibrium
+`bending_body`   a body of beam elements, as an extension
 `extended_rest`  the start of a run, settled in time where there is an extension
 `remaining`      largest residual force of a vehicle out of equilibrium, and its place
 `linear`         folder: modes, stability and hunting about the equilibrium

@@ -23,16 +23,18 @@ _PLACED = ("Point", "RigidBody")  # node types that begin so have global places 
 
 
 def label(extension: Extension) -> str:
-    """Name of an extension with a hash of its source, where there is one, for the case of its run.
+    """Name of an extension with a hash of its source, or all of an object, for the case of its run.
 
     Parameters
     ----------
     extension : the function
     """
-    name = f"{extension.__module__}.{getattr(extension, '__qualname__', type(extension).__qualname__)}"
+    if not hasattr(extension, "__qualname__"):  # an object that is called
+        return repr(extension)
+    name = f"{extension.__module__}.{extension.__qualname__}"
     try:
         source = inspect.getsource(extension)
-    except (OSError, TypeError):  # typed in, or no function
+    except (OSError, TypeError):  # typed in
         return name
     return f"{name} {hashlib.sha256(source.encode()).hexdigest()[:16]}"
 
