@@ -66,10 +66,16 @@ class ContactCase(CaseTable):
 
 
 class IntegrationCase(CaseTable):
-    """Step of the time integration and output interval of the logs."""
+    """Step of the time integration, output interval of the logs, and the couplings in a log of their own.
+
+    `logged_couplings` has names of the vehicle's couplings, with ``*`` for any letters: ``["wedge_*"]``.
+    """
 
     step_ms: float = number("ms", 0.05, 1, 0.4)
     output_interval_ms: float = number("ms", 0.05, 1000, 4.0)
+    logged_couplings: tuple[str, ...] = Field(
+        default=(), strict=False, json_schema_extra={"allowed": "a list of names of couplings"}
+    )
 
     @model_validator(mode="after")
     def _whole_steps(self) -> Self:

@@ -1,10 +1,12 @@
 """Columns of the logs of a run: name, source, unit, meaning; the common table of writers and readers.
 
-Contact log: one row per output time, wheel and patch in contact. Motion log: one row per output time and
-body. Energy ledger: one row per output time. Control log: one row per sample of the controllers and driven
-wheelset; a run without controllers has none. Sensors log: one row per output time and component of each of
-Exudyn's sensors that an extension has named. SI units throughout; contact quantities in frame C, forces on
-the wheel (see `hh_exudyn.conventions`).
+Contact log: one row per output time, wheel and patch in contact; Q and Y of a wheel stand on each of its
+patches, so that means over rows are biased. Wheels log: one row per output time and wheel, loaded or not.
+Motion log: one row per output time and body. Energy ledger: one row per output time. Control log: one row per
+sample of the controllers and driven wheelset; a run without controllers has none. Couplings log: one row per
+output time and coupling that the case names (`integration.logged_couplings`). Sensors log: one row per output
+time and component of each of Exudyn's sensors that an extension has named. SI units throughout; contact
+quantities in frame C, forces on the wheel (see `hh_exudyn.conventions`).
 
 A column of source `PATCH` is copied from the kernel's record of a contact patch, out of the member of
 `hh_exudyn.contact.state.Patch` with the column's name in capitals; one of source `LEDGER` likewise from the
@@ -23,6 +25,7 @@ WHEELSET = "wheelset"  # of the patch's, or the driven, wheelset
 VEHICLE = "vehicle"  # of all bodies together
 LEDGER = "ledger"  # copied from the ledger of powers
 CONTROLLER = "controller"  # of drivers and actuators
+COUPLING = "coupling"  # between two bodies
 SENSOR = "sensor"  # of Exudyn, added by an extension
 
 
@@ -61,8 +64,10 @@ CONTACT = (
     Column("force_x", PATCH, "N", "longitudinal creep force on the wheel"),
     Column("force_y", PATCH, "N", "lateral creep force on the wheel"),
     Column("moment_z", PATCH, "N m", "spin moment on the wheel"),
-    Column("Q", WHEEL, "N", "vertical force of the wheel on the rail (repeated on its patches)"),
-    Column("Y", WHEEL, "N", "lateral force of the wheel on the rail, outwards (repeated likewise)"),
+    Column(
+        "Q", WHEEL, "N", "of the wheel on the rail, down; REPEATED on its patches: means over rows are biased"
+    ),
+    Column("Y", WHEEL, "N", "lateral force of the wheel on the rail, outwards; likewise"),
     Column("angle_of_attack", WHEEL, "rad", "yaw of the wheelset to this wheel's rail, left positive"),
     Column("y_wheelset", WHEELSET, "m", "lateral position of the wheelset's centre, left positive"),
     Column("approach", PATCH, "m", "elastic approach along the normal"),
@@ -121,6 +126,25 @@ CONTROL = (
     Column("stiffness", CONTROLLER, "-", "longitudinal stiffness of its axle boxes over that of the drawing"),
 )
 
+# the columns of the contact log that are the wheel's, not the patch's
+WHEELS = tuple(
+    column for column in CONTACT if column.source in (TIME, WHEELSET, WHEEL) and column.name != "patch"
+)
+
+COUPLINGS = (
+    Column("time", TIME, "s", "since the start of the run"),
+    Column("coupling", COUPLING, "-", "name of the coupling", kind="string"),
+    Column("force_x", COUPLING, "N", "force on its body B, in the axes of body A as all here"),
+    Column("force_y", COUPLING, "N", "force on B"),
+    Column("force_z", COUPLING, "N", "force on B"),
+    Column("moment_x", COUPLING, "N m", "moment on B at its point there"),
+    Column("moment_y", COUPLING, "N m", "moment on B"),
+    Column("moment_z", COUPLING, "N m", "moment on B"),
+    Column("displacement_x", COUPLING, "m", "of its point on B relative to A; zero on the drawing"),
+    Column("displacement_y", COUPLING, "m", "displacement"),
+    Column("displacement_z", COUPLING, "m", "displacement"),
+)
+
 SENSORS = (
     Column("time", TIME, "s", "since the start of the run"),
     Column("sensor", SENSOR, "-", "name of the sensor", kind="string"),
@@ -128,7 +152,15 @@ SENSORS = (
     Column("value", SENSOR, "its own", "value of the component, in the sensor's unit"),
 )
 
-LOGS = {"contact": CONTACT, "motion": MOTION, "energy": ENERGY, "control": CONTROL, "sensors": SENSORS}
+LOGS = {
+    "contact": CONTACT,
+    "motion": MOTION,
+    "energy": ENERGY,
+    "control": CONTROL,
+    "wheels": WHEELS,
+    "couplings": COUPLINGS,
+    "sensors": SENSORS,
+}
 
 
 def positions(name: str, columns: tuple[Column, ...]) -> Any:
@@ -147,5 +179,7 @@ def positions(name: str, columns: tuple[Column, ...]) -> Any:
 # Any: type checkers cannot derive the members from the table
 ContactColumn: Any = positions("ContactColumn", CONTACT)
 MotionColumn: Any = positions("MotionColumn", MOTION)
+WheelColumn: Any = positions("WheelColumn", WHEELS)
+CouplingColumn: Any = positions("CouplingColumn", COUPLINGS)
 EnergyColumn: Any = positions("EnergyColumn", ENERGY)
 ControlColumn: Any = positions("ControlColumn", CONTROL)

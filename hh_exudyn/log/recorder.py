@@ -64,6 +64,14 @@ def _is_content(path: Path) -> bool:
     return path.suffix != TEMPORARY_SUFFIX
 
 
+def _schema(columns: tuple[Column, ...], arrays: list[pyarrow.Array]) -> pyarrow.Schema:
+    """Names and types of columns, with unit and meaning as the metadata of every field."""
+    return pyarrow.schema(
+        pyarrow.field(column.name, array.type, metadata={"unit": column.unit, "meaning": column.meaning})
+        for column, array in zip(columns, arrays, strict=True)
+    )
+
+
 class _Buffer:
     """Rows of the growing part of one log; every column is float64."""
 
@@ -352,7 +360,7 @@ class Recorder:
         """Write a part of a log, in place of a shorter one on disk."""
         columns = LOGS[log]
         arrays = [self._arrow_column(log, column, rows[:, index]) for index, column in enumerate(columns)]
-        table = pyarrow.table(arrays, names=[column.name for column in columns])
+        table = pyarrow.Table.from_arrays(arrays, schema=_schema(columns, arrays))
         table = table.replace_schema_metadata({**self._metadata, LOG_KEY: log.encode()})
         texts = [column.name for column in columns if column.kind == "string"]
         write_part(part_path(self.directory, log, part), table, texts, growing)

@@ -50,6 +50,20 @@ class Ledger(IntEnum):
     BRAKE_POWER = 6  # taken by brake shoes
 
 
+class CouplingRecord(IntEnum):
+    """Force [N] and moment [N m] of a coupling on its body B, and its displacement [m]."""
+
+    FORCE_X = 0
+    FORCE_Y = 1
+    FORCE_Z = 2
+    MOMENT_X = 3
+    MOMENT_Y = 4
+    MOMENT_Z = 5
+    DISPLACEMENT_X = 6
+    DISPLACEMENT_Y = 7
+    DISPLACEMENT_Z = 8
+
+
 SLIDERS = 6  # slider coordinates reserved for each coupling
 
 
@@ -156,6 +170,7 @@ class Workspace(NamedTuple):
     in_contact: FloatArray  # (wheelsets, 2, CAPACITY) strips, also the next guess
     refine: FloatArray  # (1,) whether a record of the contacts is wanted, as in `ContactForces`
     new_sliders: FloatArray  # (couplings, SLIDERS)
+    coupling_record: FloatArray  # (couplings, len(CouplingRecord)), in the axes of body A
     ledger: FloatArray  # (len(Ledger),)
     generalized_force: FloatArray  # (coordinates,)
 
@@ -244,6 +259,7 @@ def workspace(model: SystemModel) -> Workspace:
         in_contact=np.zeros((wheelsets, 2, CAPACITY)),
         refine=np.zeros(1),
         new_sliders=np.zeros((len(model.couplings.kind), SLIDERS)),
+        coupling_record=np.zeros((len(model.couplings.kind), len(CouplingRecord))),
         ledger=np.zeros(len(Ledger)),
         generalized_force=np.zeros(coordinates(model)),
     )

@@ -1,10 +1,11 @@
-"""Rows of the contact, motion and energy logs, from the work space after an evaluation of an accepted state.
+"""Rows of the logs, from the work space after an evaluation of an accepted state.
 
 Columns are written by name; those that the channel table (`hh_exudyn.log.channels`) copies from the record of
 a patch or from the ledger follow from the table.
 """
 
 import math
+from collections.abc import Sequence
 from enum import IntEnum
 
 import numpy as np
@@ -16,14 +17,18 @@ from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.kernel import Bundle, allocating_kernel, kernel, memory, shaped
 from hh_exudyn.log.channels import (
     CONTACT,
+    COUPLINGS,
     ENERGY,
     LEDGER,
     MOTION,
     PATCH,
+    WHEELS,
     Column,
     ContactColumn,
+    CouplingColumn,
     EnergyColumn,
     MotionColumn,
+    WheelColumn,
 )
 from hh_exudyn.log.recorder import Recorder
 from hh_exudyn.multibody.model import BODY_COORDINATES, Ledger, SystemModel, Workspace
@@ -39,31 +44,61 @@ def _copies(columns: tuple[Column, ...], source: str, members: type[IntEnum]) ->
     return np.array(pairs, dtype=np.int64)
 
 
+# (n, 2) positions of the wheel's columns in the contact log and in the wheels log
+_OF_WHEEL = np.array(
+    [(k, WheelColumn[c.name]) for k, c in enumerate(CONTACT) if c.name in WheelColumn.__members__],
+    dtype=np.int64,
+)
 _OF_PATCH = _copies(CONTACT, PATCH, Patch)
 _OF_LEDGER = _copies(ENERGY, LEDGER, Ledger)
 
 
 class LogWriter:
-    """Writer of log rows from the state of a vehicle."""
+    """Writer of log rows from the state of a vehicle.
 
-    def __init__(self, vehicle: Vehicle, model: SystemModel, work: Workspace, recorder: Recorder) -> None:
+    Parameters
+    ----------
+    vehicle, model, work : description, its model and the work space that holds the state
+    recorder : of the run
+    logged : numbers of the couplings in the couplings log
+    """
+
+    def __init__(
+        self,
+        vehicle: Vehicle,
+        model: SystemModel,
+        work: Workspace,
+        recorder: Recorder,
+        logged: Sequence[int] = (),
+    ) -> None:
         self._bundle = Bundle(model, work)
         self.recorder = recorder
         self._places = _places(vehicle)
         self._contact = np.zeros((len(vehicle.wheelsets) * 2 * MAX_PATCHES, len(CONTACT)))
+        self._wheels = np.zeros((2 * len(vehicle.wheelsets), len(WHEELS)))
+        self._records = work.coupling_record
+        self._logged = np.array(logged, dtype=np.int64)
+        self._couplings = np.zeros((self._logged.size, len(COUPLINGS)))
+        self._couplings[:, CouplingColumn.coupling] = self._logged
         self._motion = np.zeros((len(vehicle.bodies), len(MOTION)))
         self._energy = np.zeros((1, len(ENERGY)))
         self.potential_at_start = math.nan  # of the first row, J
 
     def write(self, time: float, v: FloatArray) -> None:
         """Append one output time; the work space must hold the evaluation of this state."""
-        count = _rows(self._bundle, self._places, v, time, self._contact, self._motion, self._energy[0])
+        wheels, contact, motion, energy = self._wheels, self._contact, self._motion, self._energy
+        count = _rows(self._bundle, self._places, v, time, wheels, contact, motion, energy[0])
         if math.isnan(self.potential_at_start):
             self.potential_at_start = float(self._energy[0, EnergyColumn.potential_energy])
         self._energy[0, EnergyColumn.potential_energy] -= self.potential_at_start
         # the contact log last, also on disk: playback needs the motion at all of its times
         self.recorder.append_rows("motion", self._motion)
         self.recorder.append_rows("energy", self._energy)
+        self.recorder.append_rows("wheels", self._wheels)
+        if self._logged.size:
+            self._couplings[:, CouplingColumn.time] = time
+            self._couplings[:, CouplingColumn.force_x :] = self._records[self._logged]
+            self.recorder.append_rows("couplings", self._couplings)
         self.recorder.append_rows("contact", self._contact[:count])
 
     def write_sensor(self, time: float, name: str, value: float | FloatArray) -> None:
@@ -103,15 +138,17 @@ def _rows(
     places: IntArray,
     v: FloatArray,
     time: float,
+    wheels: FloatArray,
     contact: FloatArray,
     motion: FloatArray,
     energy: FloatArray,
 ) -> int:
-    """Fill the rows of all three logs; returns the number of those of the contact log."""
+    """Fill the rows of all four logs; returns the number of those of the contact log."""
     model, work = bundle.model, bundle.work
     _motion_rows(model, work, v, time, motion)
     _energy_row(model, work, v, time, energy)
-    return _contact_rows(work, places, time, contact)
+    _wheel_rows(work, places, time, wheels)
+    return _contact_rows(work, wheels, contact)
 
 
 @kernel
@@ -128,39 +165,46 @@ def _energy_row(model: SystemModel, work: Workspace, v: FloatArray, time: float,
 
 
 @kernel
-def _contact_rows(work: Workspace, places: IntArray, time: float, rows: FloatArray) -> int:
-    """Fill one row of the contact log per patch that carries load; returns their number."""
-    count = 0
+def _wheel_rows(work: Workspace, places: IntArray, time: float, rows: FloatArray) -> None:
+    """Fill one row of the wheels log per wheel, 1L, 1R, 2L, ..."""
     for w in range(places.shape[0]):
         axle = triple(work.frame_axle[w])
         yaw = math.atan2(-axle[0], axle[1])
         for index in range(2):
             side = LEFT if index == 0 else RIGHT
             against = rotate_back(work.rail_rotation[w, index], axle)
-            angle_of_attack = math.atan2(-against[0], against[1])
-            roll = math.asin(against[2])
-            for number in range(work.patches.shape[2]):
-                patch = work.patches[w, index, number]
-                if patch[Patch.NORMAL_FORCE] <= 0.0:
-                    continue
-                row = rows[count]
-                row[ContactColumn.time] = time
-                row[ContactColumn.s] = work.arc_length[w]
-                row[ContactColumn.vehicle] = places[w, 0]
-                row[ContactColumn.bogie] = places[w, 1]
-                row[ContactColumn.wheelset] = places[w, 2]
-                row[ContactColumn.side] = side
-                row[ContactColumn.patch] = number
-                row[ContactColumn.speed] = work.frame_velocity[w, 0]
-                row[ContactColumn.Q] = -work.rail_force[w, index, 1]
-                row[ContactColumn.Y] = work.rail_force[w, index, 0] * side
-                row[ContactColumn.angle_of_attack] = angle_of_attack
-                row[ContactColumn.y_wheelset] = work.frame_position[w, 1]
-                row[ContactColumn.roll] = roll
-                row[ContactColumn.yaw] = yaw
-                for k in range(_OF_PATCH.shape[0]):
-                    row[_OF_PATCH[k, 0]] = patch[_OF_PATCH[k, 1]]
-                count += 1
+            row = rows[2 * w + index]
+            row[WheelColumn.time] = time
+            row[WheelColumn.s] = work.arc_length[w]
+            row[WheelColumn.vehicle] = places[w, 0]
+            row[WheelColumn.bogie] = places[w, 1]
+            row[WheelColumn.wheelset] = places[w, 2]
+            row[WheelColumn.side] = side
+            row[WheelColumn.speed] = work.frame_velocity[w, 0]
+            row[WheelColumn.Q] = -work.rail_force[w, index, 1]
+            row[WheelColumn.Y] = work.rail_force[w, index, 0] * side
+            row[WheelColumn.angle_of_attack] = math.atan2(-against[0], against[1])
+            row[WheelColumn.y_wheelset] = work.frame_position[w, 1]
+            row[WheelColumn.roll] = math.asin(against[2])
+            row[WheelColumn.yaw] = yaw
+
+
+@kernel
+def _contact_rows(work: Workspace, wheels: FloatArray, rows: FloatArray) -> int:
+    """Fill one row of the contact log per patch that carries load; returns their number."""
+    count = 0
+    for wheel in range(wheels.shape[0]):
+        for number in range(work.patches.shape[2]):
+            patch = work.patches[wheel // 2, wheel % 2, number]
+            if patch[Patch.NORMAL_FORCE] <= 0.0:
+                continue
+            row = rows[count]
+            row[ContactColumn.patch] = number
+            for k in range(_OF_WHEEL.shape[0]):
+                row[_OF_WHEEL[k, 0]] = wheels[wheel, _OF_WHEEL[k, 1]]
+            for k in range(_OF_PATCH.shape[0]):
+                row[_OF_PATCH[k, 0]] = patch[_OF_PATCH[k, 1]]
+            count += 1
     return count
 
 

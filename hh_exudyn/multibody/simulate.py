@@ -1,5 +1,6 @@
 """`simulate(case, directory)`: equilibrium, time integration with Exudyn, logs on disk."""
 
+import fnmatch
 import time as clock
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext, suppress
@@ -65,7 +66,7 @@ def simulate(
         written.
     ValueError
         The vehicle does not fit its track, the time step is too large, or the case is of a run with an
-        extension and has none; nothing was written.
+        extension and has none, or names couplings that the vehicle has not; nothing was written.
     NoEquilibrium
         No static equilibrium at the start; nothing was written.
     SimulationStopped
@@ -92,6 +93,7 @@ def simulate(
             return open_run(directory)
     stored = read_checkpoint(directory) if begun else None
     runs = vehicle or case.described_vehicle()
+    logged = _logged(runs, case.integration.logged_couplings)
     model = assemble(runs, case)
     work = workspace(model)
     control = vehicle_control(case, runs, model, work)
@@ -109,7 +111,10 @@ def simulate(
         status["curve_resistance_of_train"] = case.traction_or_default.curve_resistance
     if sealed(case, vehicle) != whole:
         raise ValueError("a file of the case has changed while its run was prepared")
-    names = {"body": [body.name for body in runs.bodies]}
+    names = {
+        "body": [body.name for body in runs.bodies],
+        "coupling": [coupling.name for coupling in runs.couplings],
+    }
     recorder = Recorder(
         directory,
         {"case": whole.text},
@@ -122,9 +127,21 @@ def simulate(
             write_inputs(directory, whole.files)
             write_case(directory, whole.text)
         write_status(directory, status)
-        integration.run(LogWriter(runs, model, work, recorder), progress)
+        integration.run(LogWriter(runs, model, work, recorder, logged), progress)
     (directory / CHECKPOINT_FILE).unlink(missing_ok=True)
     return open_run(directory)
+
+
+def _logged(vehicle: Vehicle, patterns: tuple[str, ...]) -> list[int]:
+    """Numbers of the couplings that patterns name; ValueError for one that names none."""
+    names = [coupling.name for coupling in vehicle.couplings]
+    for pattern in patterns:
+        if not fnmatch.filter(names, pattern):
+            raise ValueError(
+                f"integration.logged_couplings: {pattern!r} names no coupling of {vehicle.name}; it has "
+                f"{', '.join(names) or 'none'}"
+            )
+    return [i for i, name in enumerate(names) if any(fnmatch.fnmatchcase(name, each) for each in patterns)]
 
 
 @contextmanager

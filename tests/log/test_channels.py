@@ -57,8 +57,8 @@ EDITS = {  # what a new channel takes: file, the text before which a line is put
         (*BEFORE_YAW, '    Column("load_sum", WHEELSET, "N", "of both wheels"),'),
         (
             "hh_exudyn/multibody/recording.py",
-            "                row[ContactColumn.yaw] = yaw",
-            "                row[ContactColumn.load_sum] = -work.rail_force[w, :, 1].sum()",
+            "            row[WheelColumn.yaw] = yaw",
+            "            row[WheelColumn.load_sum] = -work.rail_force[w, :, 1].sum()",
         ),
     ),
     "of a patch": (

@@ -12,7 +12,14 @@ from hh_exudyn.contact.types import MAX_PATCHES
 from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.log.channels import LOGS
 from hh_exudyn.multibody.assembly import assemble
-from hh_exudyn.multibody.model import BODY_COORDINATES, TRACK_COORDINATES, Ledger, coordinates, workspace
+from hh_exudyn.multibody.model import (
+    BODY_COORDINATES,
+    TRACK_COORDINATES,
+    CouplingRecord,
+    Ledger,
+    coordinates,
+    workspace,
+)
 from hh_exudyn.multibody.recording import LogWriter
 from track.course.alignment import track_frame
 from track.support.flexibility import track_flexibility
@@ -84,6 +91,39 @@ def test_contact_rows_are_the_patches_by_name(writer):
         assert rows.Q[k] == -work.rail_force[wheelset, index, 1]
         assert rows.Y[k] == rows.side[k] * work.rail_force[wheelset, index, 0]
     assert len({*zip(rows.wheelset, rows.side, rows.patch, strict=True)}) == rows.time.size
+
+
+def test_wheels_have_one_row_each_with_the_numbers_of_their_patches(writer):
+    """In the order 1L, 1R, 2L, ..., loaded or not."""
+    work, v, kept, log = writer
+    work.patches[1, 0, :, Patch.NORMAL_FORCE] = 0.0
+    log.write(0.0, v)
+    wheels, patches = kept.table("wheels"), kept.table("contact")
+    assert [*zip(wheels.wheelset, wheels.side, strict=True)] == [
+        (w, s) for w in (1, 2, 3, 4) for s in (1, -1)
+    ]
+    for k in range(wheels.time.size):
+        mine = (patches.wheelset == wheels.wheelset[k]) & (patches.side == wheels.side[k])
+        assert mine.any() == (k != 2)
+        for name in set(vars(wheels)) - {"time"}:
+            assert np.all(getattr(patches, name)[mine] == getattr(wheels, name)[k]), name
+
+
+def test_couplings_that_are_named_have_their_records(model):
+    """The rows of the work space's records, by name of the coupling."""
+    work, kept = workspace(model), Kept()
+    work.coupling_record[:] = np.arange(work.coupling_record.size).reshape(work.coupling_record.shape)
+    log = LogWriter(WAGON, model, work, kept, logged=[7, 2])
+    work.rotation[:] = np.eye(3)
+    work.rail_rotation[:] = np.eye(3)
+    work.frame_axle[:] = [0.0, 1.0, 0.0]
+    log.write(0.5, np.zeros(coordinates(model)))
+    rows = kept.table("couplings")
+    assert [*rows.coupling] == [7, 2]
+    assert [*rows.time] == [0.5, 0.5]
+    for column in CouplingRecord:
+        found = getattr(rows, column.name.lower())
+        assert [*found] == [work.coupling_record[7, column], work.coupling_record[2, column]], column
 
 
 def test_only_patches_that_carry_load_are_logged(writer):

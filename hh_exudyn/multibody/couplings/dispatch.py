@@ -17,7 +17,7 @@ from hh_exudyn.multibody.couplings.family import (
     spin_free,
     without,
 )
-from hh_exudyn.multibody.model import SLIDERS, Couplings, Ledger, Workspace
+from hh_exudyn.multibody.model import SLIDERS, CouplingRecord, Couplings, Ledger, Workspace
 from hh_exudyn.multibody.vectors import add_to, cross, rotate, rotate_back, triple
 
 FAMILIES: tuple[Family, ...] = (
@@ -34,7 +34,7 @@ _law = one_law(FAMILIES)
 def coupling_forces(
     couplings: Couplings, sliders: FloatArray, settle: bool, work: Workspace, time: float = 0.0
 ) -> None:
-    """Add the forces of all couplings to `work.force` and `work.torque`; fill `work.new_sliders`.
+    """Add the forces of all couplings to `work.force` and `work.torque`; fill their sliders and records.
 
     Parameters
     ----------
@@ -99,6 +99,11 @@ def coupling_forces(
         work.ledger[Ledger.DAMPER_POWER] = reaction.damper_power
         for k in range(SLIDERS):
             work.new_sliders[i, k] = reaction.slider[k]
+        record = work.coupling_record[i]
+        for axis in range(3):
+            record[CouplingRecord.FORCE_X + axis] = reaction.force[axis]
+            record[CouplingRecord.MOMENT_X + axis] = reaction.moment[axis]
+            record[CouplingRecord.DISPLACEMENT_X + axis] = displacement[axis]
         force = rotate(rotation_a, reaction.force)
         moment = rotate(rotation_a, reaction.moment)
         if couplings.on_axle[i]:
