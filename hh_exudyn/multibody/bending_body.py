@@ -38,7 +38,7 @@ class BendingBody:
     length: float  # [m]
     supports: tuple[float, float]  # places of rear and front support on the drawing [m]
     frequency: float  # of its first bending mode, free [Hz]
-    elements: int = 4  # between the supports; one more at each end
+    elements: int = 8  # between the supports; one more at each end
 
     def __post_init__(self) -> None:
         rear, front = self.supports
@@ -110,7 +110,9 @@ class BendingBody:
         """
         nodes = dict(zip(self.supports, (system.nodes[name] for name in self.names), strict=True))
         for name in self.names:
-            system.make_light(name, SHARE)
+            # half a long body has much pitch inertia, which is the beam's
+            bending = 0.5 * SHARE * self.body.mass * _GYRATION**2
+            system.make_light(name, SHARE, (0.5 * SHARE * self.body.inertia[0], bending, bending))
         places = self._places()
         for x in places:
             if x not in nodes:

@@ -92,7 +92,7 @@ class ExudynSystem:
         """
         return _place(self.model, point)
 
-    def make_light(self, body: str, share: float) -> None:
+    def make_light(self, body: str, share: float, inertia: Vector | None = None) -> None:
         """Leave a body a share of its mass and inertia, where Exudyn's items on its node have the rest.
 
         Its weight stays as it is.
@@ -101,6 +101,7 @@ class ExudynSystem:
         ----------
         body : name
         share : > 0 and at most 1
+        inertia : that stays, where it is not that share [kg m^2]
 
         Raises
         ------
@@ -109,10 +110,10 @@ class ExudynSystem:
         """
         if not 0.0 < share <= 1.0:
             raise ValueError(f"share = {share} of the mass of {body}: allowed above 0 up to 1")
-        mass, inertia = self._body(body).mass, self._body(body).inertia
-        number = self.objects[body]
-        self.mbs.SetObjectParameter(number, "mass", share * mass)
-        self.mbs.SetObjectParameter(number, "inertia", [*(share * about for about in inertia), 0.0, 0.0, 0.0])
+        drawn, number = self._body(body), self.objects[body]
+        left = inertia or tuple(share * about for about in drawn.inertia)
+        self.mbs.SetObjectParameter(number, "mass", share * drawn.mass)
+        self.mbs.SetObjectParameter(number, "inertia", [*left, 0.0, 0.0, 0.0])
 
     def _body(self, name: str) -> Body:
         if name not in self.nodes:

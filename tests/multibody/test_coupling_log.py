@@ -43,8 +43,6 @@ def test_springs_carry_the_body(tmp_path: Path) -> None:
 
 def test_a_name_that_no_coupling_has_is_refused(tmp_path: Path) -> None:
     case = CASE.with_changes(integration={"logged_couplings": ["wedge*"]})
-    with pytest.raises(
-        ValueError, match=r"'wedge\*' names no coupling of two_axle_wagon; it has frontL"
-    ):
+    with pytest.raises(ValueError, match=r"'wedge\*' names no coupling of two_axle_wagon; it has frontL"):
         simulate(case, tmp_path / "run", vehicle=two_axle_wagon())
     assert list(tmp_path.iterdir()) == []
