@@ -139,7 +139,7 @@ def add_patch(
 
 @inlined_kernel
 def _is_floored(model: WheelRailModel, contact: FloatArray) -> bool:
-    """Whether the lateral curvature met its floor; the width of an equivalent patch is that of the overlap."""
+    """Whether the lateral curvature met its floor; an equivalent patch is as wide as the overlap."""
     curvature = 0.5 * (contact[WHEEL_CURVATURE] + contact[RAIL_CURVATURE])
     return curvature < CURVATURE_FLOOR and model.normal != EQUIVALENT_ELASTIC
 
