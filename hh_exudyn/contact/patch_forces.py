@@ -91,8 +91,7 @@ def add_patch(
     number : int
         Place of the record among those of the wheel, from 0.
     """
-    floored = 0.5 * (contact[WHEEL_CURVATURE] + contact[RAIL_CURVATURE]) < CURVATURE_FLOOR
-    floored = floored and model.normal != EQUIVALENT_ELASTIC  # whose width is that of the overlap
+    floored = _is_floored(model, contact)
     elastic, max_pressure, a, b = _normal_forces(model, pair, contact, strips)
     side = 0 if pair.side > 0.0 else 1
     along = model.rails_left if side == 0 else model.rails_right
@@ -136,6 +135,13 @@ def add_patch(
     record = forces.patches[i, side, number]
     record[Patch.CENTRE_Y], record[Patch.CENTRE_Z] = pair.centre_y, pair.centre_z
     return True
+
+
+@inlined_kernel
+def _is_floored(model: WheelRailModel, contact: FloatArray) -> bool:
+    """Whether the lateral curvature met its floor; an equivalent patch is as wide as the overlap."""
+    curvature = 0.5 * (contact[WHEEL_CURVATURE] + contact[RAIL_CURVATURE])
+    return curvature < CURVATURE_FLOOR and model.normal != EQUIVALENT_ELASTIC
 
 
 @inlined_kernel

@@ -257,7 +257,7 @@ def test_model_checks_its_input() -> None:
         ({"damping": -1.0}, "damping"),
         ({"theory": "magic"}, "fastrip"),
         ({"normal": "magic"}, "kik_piotrowski"),
-        ({"normal": "analyn", "theory": "fastsim"}, "'fastrip'"),
+        ({"normal": "analyn", "theory": "polach"}, "'fastrip'"),
         ({"cells": (0, 15)}, "cells"),
     ):
         with pytest.raises(ValueError, match=message):

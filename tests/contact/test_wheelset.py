@@ -257,7 +257,7 @@ def test_bad_input() -> None:
         ({"friction": float("nan")}, "friction = nan"),
         ({"gauge": 1435.0}, "gauge = 1435.0 m"),
         ({"normal": "hertzian"}, "kik_piotrowski"),
-        ({"normal": "analyn", "theory": "fastsim"}, "'fastrip'"),
+        ({"normal": "analyn", "theory": "polach"}, "'fastrip'"),
         ({"lateral": -0.09}, "no height between"),  # beside the rail
         ({"cells": (20.5, 20)}, "two whole numbers"),
         ({"cells": (20, 20, 20)}, "two whole numbers"),

@@ -13,8 +13,9 @@ vertical and largest,
 
 with s the shorter semi-axis, m = 1 - (s/l)^2, E* = G/(1 - nu). The place of contact is the centroid of the
 overlap. A round overlap (a = b) has 0.5/0.55 = 91 % of Hertz's force for that patch: 0.5 is the exact share
-there. Where two regions grow together their patches become one and the force jumps; that belongs to the
-theory, and `coupled_strips` is the one that does not.
+there. The bodies of a run overlap by the virtual depth, so that they meet (1/0.55)^1.5 = 2.5 times as stiffly
+as in Hertz's theory; loads and patches do not depend on that. Where two regions grow together their patches
+become one and the force jumps; that belongs to the theory, and `coupled_strips` is the one that does not.
 """
 
 import math
