@@ -189,6 +189,24 @@ def test_locomotive_in_curves(tmp_path: Path) -> None:
     assert [path.name for path in tmp_path.glob("*.png")] == ["curving.png"]
 
 
+def test_hydraulic_damper(tmp_path: Path) -> None:
+    """Its force stays under that of blow-off, which the track reaches nearly."""
+    text = run("12_hydraulic_damper.py", tmp_path)
+    found = re.match(r"damper 1L: up to ([\d.]+) kN", text)
+    assert found is not None, text
+    assert 4.0 < float(found[1]) < 8.0
+    assert (tmp_path / "damper.png").stat().st_size > 10_000
+
+
+@pytest.mark.slow
+def test_flexible_car_body(tmp_path: Path) -> None:
+    """The first bending frequency appears where the formula of the beam has it."""
+    text = run("13_flexible_car_body.py", tmp_path)
+    found = re.match(r"bending of the car body: ([\d.]+) Hz", text)
+    assert found is not None, text
+    assert float(found[1]) == pytest.approx(9.0, rel=0.02)
+
+
 def test_every_example_is_run_here() -> None:
     source = Path(__file__).read_text()
     for path in EXAMPLES.glob("*.py"):

@@ -20,10 +20,7 @@ from pydantic import (
     model_validator,
 )
 
-from hh_exudyn.case.alignment import (
-    WIDENING_MM,
-    gauges_mm,
-)
+from hh_exudyn.case.alignment import WIDENING_MM, gauges_mm
 from hh_exudyn.case.contact import ContactCase, IntegrationCase
 from hh_exudyn.case.errors import CaseError, explain
 from hh_exudyn.case.fields import CaseTable, number

@@ -12,8 +12,8 @@ from command_line import call, refused
 from rich.console import Console
 
 from hh_exudyn.case import Case
-from hh_exudyn.cli import app as cli
 from hh_exudyn.cli import output
+from hh_exudyn.cli import run as cli
 
 NAMES = ("{}", "{0.x}", "[/b]", "[bold]x", ":x:", ":smile:", "[link=x]", "{task}", "\\[", "100 %")
 
