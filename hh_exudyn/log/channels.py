@@ -4,9 +4,9 @@ Contact log: one row per output time, wheel and patch in contact; Q and Y of a w
 patches, so that means over rows are biased. Wheels log: one row per output time and wheel, loaded or not.
 Motion log: one row per output time and body. Energy ledger: one row per output time. Control log: one row per
 sample of the controllers and driven wheelset; a run without controllers has none. Couplings log: one row per
-output time and coupling that the case names (``integration.logged_couplings``). Sensors log: one row per output
-time and component of each of Exudyn's sensors that an extension has named. SI units throughout; contact
-quantities in frame C, forces on the wheel (see `hh_exudyn.conventions`).
+output time and coupling that the case names (``integration.logged_couplings``). Sensors log: one row per
+output time and component of each of Exudyn's sensors that an extension has named. SI units throughout;
+contact quantities in frame C, forces on the wheel (see `hh_exudyn.conventions`).
 
 A column of source `PATCH` is copied from the kernel's record of a contact patch, out of the member of
 `hh_exudyn.contact.state.Patch` with the column's name in capitals; one of source `LEDGER` likewise from the
