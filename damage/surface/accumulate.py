@@ -47,7 +47,7 @@ from damage.surface.contact_sums import (
     turning_of,
     work_space,
 )
-from damage.surface.halfspace_patch import EllipseSolver, WheelSolver, places_between
+from damage.surface.halfspace_patch import LEAST_LOAD, EllipseSolver, WheelSolver, places_between
 from damage.surface.normal_contact import ELLIPSE, HALFSPACE, STRIPS
 from damage.surface.patch_field import DAMAGE_THEORIES
 from damage.surface.rebuilt_sums import add_rebuilt, rebuild_work, rebuilding
@@ -258,10 +258,13 @@ def _block_sums(block: Block, wheel: Wheel, model: DamageModel) -> Sums:
 def _add_solved(
     block: Block, solver: WheelSolver | EllipseSolver, solving: Solving, bins_along: int, sums: Sums
 ) -> None:
-    """Add the states of a block, each solved by the half-space; their fatigue indices follow from it too."""
+    """Add the states of a block, each solved by the half-space; their fatigue indices follow from it too.
+
+    A patch under `LEAST_LOAD` is left out: the bodies begin to touch on less than an element of the grid.
+    """
     states, placed = block.states, block.placed
     spaces: dict[tuple[int, int], Work] = {}
-    loaded = np.flatnonzero(states.normal_force > 0.0)
+    loaded = np.flatnonzero(states.normal_force > LEAST_LOAD)
     for rows in np.split(loaded, np.flatnonzero(np.diff(states.time[loaded])) + 1):
         for row, solved in zip(rows, solver.solve(states, placed, rows, solving), strict=True):
             strips, along = solved.fields.pressure.shape

@@ -34,6 +34,7 @@ from hh_exudyn.contact.strips.rebuilt import logged_pair
 from hh_exudyn.contact.types import Fields, WheelRailModel
 
 SPACING = (0.4e-3, 0.4e-3)  # m, of the elements along the patch and across
+LEAST_LOAD = 20.0  # N, of a patch that is solved: a smaller one is narrower than an element of the grid
 _NORMAL_TOLERANCE = 1e-4  # of the largest displacement
 _NEAR = 5e-3  # m, between places on the wheel: a farther contact is no start
 _FIRST_TURNS, _TURNS = 3, 2  # in which patches of one wheel are solved, from nothing and from those before
