@@ -56,11 +56,22 @@ def flat(patch: RollingPatch, count: int) -> tuple[np.ndarray, np.ndarray]:
     return rows, strips
 
 
-CREEPAGES = st.one_of(st.just(0.0), st.floats(-0.02, 0.02))
+def _above_rounding(value: float) -> float:
+    """Zero below 1e-9: slip is a difference of speeds, of which the last digit is then the whole."""
+    return 0.0 if abs(value) < 1e-9 else value
+
+
+CREEPAGES = st.one_of(st.just(0.0), st.floats(-0.02, 0.02).map(_above_rounding))
 
 
 @settings(max_examples=100, deadline=None)
-@given(CREEPAGES, CREEPAGES, st.floats(-3.0, 3.0), st.floats(-1.5, 1.5), st.integers(4, 100))
+@given(
+    CREEPAGES,
+    CREEPAGES,
+    st.floats(-3.0, 3.0).map(_above_rounding),
+    st.floats(-1.5, 1.5),
+    st.integers(4, 100),
+)
 def test_flat_patch_is_the_ellipse(nu_x: float, nu_y: float, phi: float, ratio: float, count: int) -> None:
     """The spin counts once: as slip that falls across and as slip along each strip."""
     a, b = 6e-3 * math.exp(0.5 * ratio), 6e-3 * math.exp(-0.5 * ratio)
