@@ -197,13 +197,12 @@ def shear_and_yaw_friction(
             way[2] - left_turn * (way[2] - slider[2]),
         )
     by_x, by_y, by_turn = faces.damping * rate[0], faces.damping * rate[1], faces.yaw_damping * rate[2] / arm
-    whole = by_x * by_x + by_y * by_y + by_turn * by_turn
-    if (x + by_x) ** 2 + (y + by_y) ** 2 + (turn + by_turn) ** 2 > bound * bound:
+    size = math.sqrt(by_x * by_x + by_y * by_y + by_turn * by_turn)
+    if size > 0.0 and (x + by_x) ** 2 + (y + by_y) ** 2 + (turn + by_turn) ** 2 > bound * bound:
         # along the damper's force and across it: two components suffice
-        size = math.sqrt(whole)
         along = (x * by_x + y * by_y + turn * by_turn) / size
         across = math.sqrt(max(x * x + y * y + turn * turn - along * along, 0.0))
-        share = _damper_share(along, across, size, 0.0, bound, 0.0) if size > 0.0 else 0.0
+        share = _damper_share(along, across, size, 0.0, bound, 0.0)
         by_x, by_y, by_turn = share * by_x, share * by_y, share * by_turn
     return -x - by_x, -y - by_y, -(turn + by_turn) * arm, slider
 

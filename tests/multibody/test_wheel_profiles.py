@@ -20,7 +20,10 @@ def test_the_same_profile_by_another_key_gives_the_same_bytes(demo, tmp_path):
 @pytest.mark.slow
 def test_a_wheelset_with_two_wheels_runs_to_the_side(demo, tmp_path):
     """One wheel of larger conicity grows faster with the displacement: the wheelset leaves the middle until
-    both roll on equal radii, as mirrored wheelsets do to the other side; damage has every wheel once."""
+    both roll on equal radii, as mirrored wheelsets do to the other side; damage has every wheel once.
+
+    Its bogie takes the other wheelsets along, through the car body those of the other bogie too, by less.
+    """
     case = demo.with_changes(track=STRAIGHT, wheel_profiles={"3L": "WPL9_like"})
     run = simulate(case, tmp_path / "run")
     mirrored = simulate(case.mirrored(), tmp_path / "mirrored")
@@ -30,7 +33,8 @@ def test_a_wheelset_with_two_wheels_runs_to_the_side(demo, tmp_path):
         mine = (log["wheelset"] == wheelset) & (log["time"] == log["time"].max())
         return log["y_wheelset"][mine][0]
 
-    assert abs(last(run, 3)) > 2.0 * abs(last(run, 1))
+    assert abs(last(run, 3)) > 1e-3  # m
+    assert abs(last(run, 3)) > 1.25 * abs(last(run, 1))
     assert last(mirrored, 3) == pytest.approx(-last(run, 3), rel=1e-6)
     wear = wear_table(run, unfinished=False)
     assert sorted(zip(wear["wheelset"].to_pylist(), wear["side"].to_pylist(), strict=True)) == [

@@ -84,10 +84,10 @@ def test_the_curve_resistance_of_the_wagons_can_be_chosen():
     level = train(locomotives=0).resisting_force(0.0, 15.0)
     assert resisting("none") == pytest.approx(level, rel=1e-12)
     assert resisting("roeckl") - level == pytest.approx(weight * 0.650 / 395.0, rel=1e-9)
-    assert resisting("simulated") - level == pytest.approx(weight * 0.607e-3, rel=1e-9)
+    assert resisting("simulated") - level == pytest.approx(weight * 0.610e-3, rel=1e-9)
     behind = train(locomotives=1).resisting_force(0.0, 15.0)
     assert resisting("simulated", 1) - behind == pytest.approx(
-        weight * 0.607e-3 + 180e3 * GRAVITY * 0.650 / 395.0, rel=1e-9
+        weight * 0.610e-3 + 180e3 * GRAVITY * 0.650 / 395.0, rel=1e-9
     )
     assert resisting("none", 1) == pytest.approx(behind, rel=1e-12)
 
