@@ -56,16 +56,14 @@ def start_of_run(
         state = equilibrium(vehicle, model, work)
         require_stable_step(step, model, work, state)
         start = {"q": state.q, "v": state.v}
+        if extension is None:
+            return start, state.sliders
     except NoEquilibrium:  # it may need the extension to stand
         if extension is None:
             raise
         for array, before in zip(work.inputs, inputs, strict=True):
             array[...] = before
-    sliders = work.new_sliders.copy()
-    if extension is not None:
-        return extended_rest(vehicle, model, work, start, extension, step), sliders
-    assert start is not None
-    return start, sliders
+    return extended_rest(vehicle, model, work, start, extension, step), work.new_sliders.copy()
 
 
 def extended_rest(
@@ -81,7 +79,7 @@ def extended_rest(
     Parameters
     ----------
     vehicle, model : description, and its model on a track
-    work : its inputs are set to those of the rest
+    work : its inputs are set to those of the rest; it then holds the evaluation there
     start : coordinates and velocities of the vehicle's equilibrium, None to begin at the drawing
     extension : adds its items
     step : of the integration [s]
@@ -203,6 +201,8 @@ class _Settling:
         v[:own][self._damped] = 0.0
         v[:own] += self._common
         v[own:] = 0.0
+        rolling.q[:], rolling.v[:] = q[:own], v[:own]
+        rolling.forces()  # for the sliders of friction elements, as they stand now
         assert self._system is not None
         add_to_places(self._system.mbs, own, q, -moved * rolling.along)
         add_to_places(self._system.mbs, own, v, self._common[:3])

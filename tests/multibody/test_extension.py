@@ -104,6 +104,18 @@ def test_what_hangs_on_the_vehicle_is_at_rest_and_rolls_along(tmp_path: Path) ->
     assert first.sum() == pytest.approx(weight, rel=1e-4)
 
 
+def test_an_extension_of_nothing_changes_nothing(tmp_path: Path) -> None:
+    """With all friction elements of the ore wagon: settled again in time, it starts and rolls as it did."""
+    straight = CASE.with_changes(track={"sections": [{"kind": "straight", "length_m": 32.0}]})
+    plain = simulate(straight, tmp_path / "plain")
+    again = simulate(straight, tmp_path / "again", extend=lambda system: None)
+    for column, tolerance in (("y", 2e-4), ("z", 2e-5), ("vz", 1e-3)):
+        ours, theirs = (each.motion()[column].to_numpy() for each in (plain, again))
+        np.testing.assert_allclose(theirs, ours, rtol=0.0, atol=tolerance, err_msg=column)
+    before, after = (run.read("energy")["friction_power"].to_numpy() for run in (plain, again))
+    assert np.abs(after).max() < 1.0 + 2.0 * np.abs(before).max()  # W
+
+
 def test_borders_leave_no_trace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The state of the user's own nodes goes from segment to segment."""
     runs = []

@@ -6,14 +6,13 @@ the source are seven here: two are welded to the car body, and the axle-box arms
 source: every spring that carries weight has its preload.
 """
 
-import math
 from functools import partial
 
 from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import Bushing, Coupling
-from vehicles.description import Body, Coupler, Vehicle, Wheelset
-from vehicles.models.parts import SIDES, body_of_kind, in_directions
+from vehicles.description import Body, Vehicle, Wheelset
+from vehicles.models.parts import SIDES, body_of_kind, end_heads, in_directions, train_coupler
 from vehicles.passenger_bogie import AxleBoxArm, Damper, SeriesDamper
 from vehicles.record import VehicleRecord
 
@@ -46,7 +45,7 @@ def gz18(name: str, p: ParameterSet) -> Vehicle:
         bodies=tuple(bodies),
         couplings=tuple(couplings),
         wheelsets=tuple(wheelsets),
-        coupler=_coupler(p, sum(each.mass for each in bodies)),
+        coupler=train_coupler(p, end_heads(p, p["car_body.length"]), sum(each.mass for each in bodies)),
         dimensions={
             "length": p["car_body.length"],
             "wheelbase": 2 * p["bogie_frame.half_wheelbase"],
@@ -133,17 +132,6 @@ def _secondary(p: ParameterSet, frame: Body, body: Body) -> list[Coupling]:
             rotational_stiffness=(p["anti_roll_bar.stiffness"], 0.0, 0.0),
         ),
     ]
-
-
-def _coupler(p: ParameterSet, mass: float) -> Coupler:
-    pulsation = 2 * math.pi * p["coupler.train_frequency"]
-    end, height = p["car_body.length"] / 2, p["coupler.height"]
-    return Coupler(
-        bodies=("car_body", "car_body"),
-        points=((end, 0.0, height), (-end, 0.0, height)),
-        stiffness=mass * pulsation**2,
-        damping=2 * p["coupler.train_damping_ratio"] * mass * pulsation,
-    )
 
 
 RECORD = VehicleRecord(

@@ -4,14 +4,13 @@ Masses stand at their published heights when loaded: secondary springs carry the
 primary springs are drawn unloaded, so the drawing is higher by their static deflection.
 """
 
-import math
 from functools import partial
 
 from hh_exudyn.conventions import GRAVITY
 from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import AxleBoxPad, BumpStop, Bushing, Coupling
-from vehicles.description import Body, Coupler, Vehicle, Wheelset
-from vehicles.models.parts import SIDES, body_of_kind, in_directions
+from vehicles.description import Body, Vehicle, Wheelset
+from vehicles.models.parts import SIDES, body_of_kind, end_heads, in_directions, train_coupler
 from vehicles.record import VehicleRecord
 
 _BUMP_STOP_MM = (25, 30, 35, 40, 45, 50, 55, 60, 65)
@@ -39,7 +38,7 @@ def manchester_vehicle_1(name: str, p: ParameterSet) -> Vehicle:
         bodies=tuple(bodies),
         couplings=tuple(couplings),
         wheelsets=tuple(wheelsets),
-        coupler=_coupler(p, sum(each.mass for each in bodies)),
+        coupler=train_coupler(p, end_heads(p, p["car_body.length"]), sum(each.mass for each in bodies)),
         dimensions={
             "length": p["car_body.length"],
             "wheelbase": 2 * p["bogie_frame.half_wheelbase"],
@@ -129,17 +128,6 @@ def _secondary(p: ParameterSet, frame: Body, car_body: str, sunk: float) -> list
             odd=True,
         ),
     ]
-
-
-def _coupler(p: ParameterSet, mass: float) -> Coupler:
-    pulsation = 2 * math.pi * p["coupler.train_frequency"]
-    end, height = p["car_body.length"] / 2, p["coupler.height"]
-    return Coupler(
-        bodies=("car_body", "car_body"),
-        points=((end, 0.0, height), (-end, 0.0, height)),
-        stiffness=mass * pulsation**2,
-        damping=2 * p["coupler.train_damping_ratio"] * mass * pulsation,
-    )
 
 
 RECORD = VehicleRecord(

@@ -1,11 +1,13 @@
 """Common parts of the builders of vehicles: both sides, couplings filled from parameters by name."""
 
+import math
+from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any, TypeVar
 
 from hh_exudyn.sourced import ParameterSet
 from vehicles.couplings import Vector
-from vehicles.description import Body
+from vehicles.description import Body, Coupler
 
 SIDES = ((1, "L"), (-1, "R"))  # sign of y, letter in names
 
@@ -64,3 +66,33 @@ def filled(kind: type[_Part], p: ParameterSet, part: str, **given: Any) -> _Part
     """
     numbers = {field.name: p[f"{part}.{field.name}"] for field in fields(kind) if field.name not in given}  # type: ignore[arg-type]
     return kind(**given, **numbers)
+
+
+def train_coupler(p: ParameterSet, heads: Mapping[Vector, str], mass: float) -> Coupler:
+    """All coupler heads, tuned so that a vehicle follows the train at the given frequency and damping.
+
+    Parameters
+    ----------
+    p : parameters of the vehicle, with the part "coupler"
+    heads : body of each head, by its place on the drawing [m]
+    mass : of the vehicle [kg]
+    """
+    pulsation = 2 * math.pi * p["coupler.train_frequency"]
+    return Coupler(
+        bodies=tuple(heads.values()),
+        points=tuple(heads),
+        stiffness=mass * pulsation**2,
+        damping=2 * p["coupler.train_damping_ratio"] * mass * pulsation,
+    )
+
+
+def end_heads(p: ParameterSet, length: float) -> dict[Vector, str]:
+    """Coupler heads at both ends of a car body of that length [m], for `train_coupler`.
+
+    Parameters
+    ----------
+    p : parameters of the vehicle, with the height of the coupler
+    length : of the car body [m]
+    """
+    height = p["coupler.height"]
+    return {(0.5 * length, 0.0, height): "car_body", (-0.5 * length, 0.0, height): "car_body"}

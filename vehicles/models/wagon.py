@@ -1,12 +1,12 @@
 """The LKAB iron-ore wagon: a hopper body on two three-piece bogies, alone or as a Fanoo pair of two units."""
 
-import math
 from dataclasses import dataclass
 from functools import partial
 
 from hh_exudyn.sourced import ParameterSet, load_parameters
-from vehicles.couplings import Coupling, Rod, Vector
-from vehicles.description import Body, BrakeShoe, Coupler, Vehicle, Wheelset
+from vehicles.couplings import Coupling, Rod
+from vehicles.description import Body, BrakeShoe, Vehicle, Wheelset
+from vehicles.models.parts import train_coupler
 from vehicles.models.three_piece_bogie import (
     SPRING_DEFLECTION,
     bogie_bodies,
@@ -105,7 +105,7 @@ def _vehicle(
         bodies=bodies,
         couplings=(*(coupling for unit in units for coupling in unit.couplings), *between),
         wheelsets=tuple(wheelset for unit in units for wheelset in unit.wheelsets),
-        coupler=_coupler(p, heads, sum(body.mass for body in bodies)),
+        coupler=train_coupler(p, heads, sum(body.mass for body in bodies)),
         dimensions={
             "length": p["wagon.length"],
             "height": p["wagon.height"],
@@ -143,17 +143,6 @@ def _car_body(p: ParameterSet, payload: float, name: str, middle: float) -> Body
         ),
         (middle, 0.0, height),
         SPRING_DEFLECTION,
-    )
-
-
-def _coupler(p: ParameterSet, heads: dict[Vector, str], mass: float) -> Coupler:
-    """Both coupler heads, tuned so that the wagon follows the train at the given frequency and damping."""
-    pulsation = 2 * math.pi * p["coupler.train_frequency"]
-    return Coupler(
-        bodies=tuple(heads.values()),
-        points=tuple(heads),
-        stiffness=mass * pulsation**2,
-        damping=2 * p["coupler.train_damping_ratio"] * mass * pulsation,
     )
 
 

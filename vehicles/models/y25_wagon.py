@@ -5,9 +5,9 @@ from functools import partial
 
 from hh_exudyn.sourced import ParameterSet, load_parameters
 from vehicles.couplings import CentrePlate, Coupling, SideBearer
-from vehicles.description import Body, Coupler, Vehicle, Wheelset
+from vehicles.description import Body, Vehicle, Wheelset
 from vehicles.freight_couplings import LenoirSuspension
-from vehicles.models.parts import SIDES, body_of_kind, filled
+from vehicles.models.parts import SIDES, body_of_kind, end_heads, filled, train_coupler
 from vehicles.record import VehicleRecord
 
 _DEFLECTION = 0.03  # m, between empty and laden: first guess of the equilibrium
@@ -46,7 +46,7 @@ def y25_wagon(name: str, p: ParameterSet) -> Vehicle:
         bodies=tuple(bodies),
         couplings=tuple(couplings),
         wheelsets=tuple(wheelsets),
-        coupler=_coupler(p, sum(body.mass for body in bodies)),
+        coupler=train_coupler(p, end_heads(p, p["wagon.length"]), sum(body.mass for body in bodies)),
         dimensions={
             "length": p["wagon.length"],
             "height": p["wagon.height"],
@@ -130,17 +130,6 @@ def _car_body(p: ParameterSet, tare: float, payload: float) -> Body:
         mass * p["car_body.yaw_gyration"] ** 2,
     )
     return Body("car_body", "car_body", mass, inertia, (0.0, 0.0, height), _DEFLECTION)
-
-
-def _coupler(p: ParameterSet, mass: float) -> Coupler:
-    pulsation = 2 * math.pi * p["coupler.train_frequency"]
-    end, height = p["wagon.length"] / 2, p["coupler.height"]
-    return Coupler(
-        bodies=("car_body", "car_body"),
-        points=((end, 0.0, height), (-end, 0.0, height)),
-        stiffness=mass * pulsation**2,
-        damping=2 * p["coupler.train_damping_ratio"] * mass * pulsation,
-    )
 
 
 def _empty() -> ParameterSet:
