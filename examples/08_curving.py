@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from damage.summary import steady_window, wheelset_summary
+from damage.summary import wheelset_summary
 from hh_exudyn.case import read_case
 from hh_exudyn.figures.curving import curving_figure
 from hh_exudyn.multibody.once import simulate_once
@@ -19,6 +19,7 @@ from track.course.alignment import cant_deficiency
 
 RADII = (300.0, 450.0, 700.0, 1200.0, 2000.0)  # m
 DEFICIENCY = 20.0  # mm, assumed: moderate, so that outer wheels carry somewhat more
+STEADY = (165.0, 215.0)  # m, end of the curve
 SHOWN = {  # label: attribute of a summary, factor
     "angle of attack [mrad], left +": ("angle_of_attack", 1e3),
     "lateral position [mm], left +": ("lateral", 1e3),
@@ -43,7 +44,7 @@ def main() -> None:
             part["gauge_mm"] = 1440.0
         case = demo.with_changes(name=f"R{radius:g}", track={"sections": plan})
         run = simulate_once(case, folder / case.name, lambda done, text: print(f"{done:4.0%}", end="\r"))
-        found.append(wheelset_summary(run, steady_window(run)))
+        found.append(wheelset_summary(run, STEADY))
         for one in found[-1]:
             where = f"attack {1e3 * one.angle_of_attack:.3f} mrad, position {1e3 * one.lateral:.2f} mm"
             print(f"  wheelset {one.wheelset} of unit {one.vehicle}: {where}")
