@@ -19,7 +19,6 @@ from track.course.alignment import cant_deficiency
 
 RADII = (300.0, 450.0, 700.0, 1200.0, 2000.0)  # m
 DEFICIENCY = 20.0  # mm, assumed: moderate, so that outer wheels carry somewhat more
-STEADY = (165.0, 215.0)  # m, end of the curve
 SHOWN = {  # label: attribute of a summary, factor
     "angle of attack [mrad], left +": ("angle_of_attack", 1e3),
     "lateral position [mm], left +": ("lateral", 1e3),
@@ -44,7 +43,7 @@ def main() -> None:
             part["gauge_mm"] = 1440.0
         case = demo.with_changes(name=f"R{radius:g}", track={"sections": plan})
         run = simulate_once(case, folder / case.name, lambda done, text: print(f"{done:4.0%}", end="\r"))
-        found.append(wheelset_summary(run, STEADY))
+        found.append(wheelset_summary(run, (165.0, 215.0)))  # m, end of the curve
         for one in found[-1]:
             where = f"attack {1e3 * one.angle_of_attack:.3f} mrad, position {1e3 * one.lateral:.2f} mm"
             print(f"  wheelset {one.wheelset} of unit {one.vehicle}: {where}")

@@ -1,4 +1,4 @@
-"""Elements of a track, straights, transitions and curves, and its test sections, by the lengths of UIC 518."""
+"""Elements of a track: straights, transitions, curves; its test sections, by the lengths of UIC 518."""
 
 import math
 from dataclasses import dataclass, replace

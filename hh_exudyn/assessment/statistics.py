@@ -3,15 +3,15 @@
 The values of a quantity at one place in the N sections of a zone have mean and standard deviation. In one
 dimension the estimated maximum is
 
-    mean + k s,   k = 3 for safety, 2.2 for track loading and running behaviour, 0 for quasi-static values.  (1)
+    mean + k s,   k = 3 for safety, 2.2 for track loading and running behaviour, 0 for quasi-static ones.  (1)
 
-In two dimensions, where the sections of curves differ in cant deficiency I, a line v = a + b I is fitted, and
-the maximum is the upper bound of its prediction at the largest I of the sections,
+In two dimensions, where sections of curves differ in cant deficiency I, a line v = a + b I is fitted, and the
+maximum is the upper bound of its prediction at the largest I of the sections,
 
-    a + b I + t s_e sqrt(1 + 1/N + (I - mean I)^2 / sum (I_i - mean I)^2),                                  (2)
+    a + b I + t s_e sqrt(1 + 1/N + (I - mean I)^2 / sum (I_i - mean I)^2),                                (2)
 
-with the residual deviation s_e of N - 2 degrees of freedom and Student's t. Wheels are outer and inner ones in
-curves, so that curves of both hands are one zone. k, probabilities and the least number of sections are
+with the residual deviation s_e of N - 2 degrees of freedom and Student's t. Wheels are outer and inner ones
+in curves, so that curves of both hands are one zone. k, probabilities and the least number of sections are
 from memory (`data/assessment.toml`); a table says which of the two was used, and of how many sections.
 """
 

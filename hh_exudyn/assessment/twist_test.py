@@ -35,6 +35,7 @@ _GENTLE = 0.002  # slope of the ramp ahead: less than a third of the largest twi
 _LEVEL = 1e-9  # mm, cross-level that is none
 _STEP_SHARE = 0.75  # of the other case's time step: creep forces are stiffer at crawling speed
 _STEPS_LOGGED = 10  # steps of an output interval
+_HELD = 1.0  # m of the full twist under a vehicle without bogies
 _CLEAR = 2.0  # m of level track that the whole vehicle has more before and behind the twist
 
 
@@ -107,7 +108,7 @@ def twist_of(vehicle: Vehicle) -> Twist:
     return Twist(wheelbase, distance, 1e-3 * bogie, 1e-3 * body)
 
 
-def twist_case(base: Case, curve: bool) -> Case:
+def twist_case(base: Case, curve: bool, described: Vehicle | None = None) -> Case:
     """The case of a twist test with vehicle, friction, profiles, rails and contact of another one.
 
     Parameters
@@ -116,6 +117,8 @@ def twist_case(base: Case, curve: bool) -> Case:
         Its track, irregularity and speed are not used.
     curve : bool
         Whether in the curve of 150 m, else on straight track.
+    described : Vehicle or None
+        The vehicle that will run; None for that of the case.
 
     Raises
     ------
@@ -123,7 +126,7 @@ def twist_case(base: Case, curve: bool) -> Case:
         As `twist_of`; a `CaseError` where the vehicle does not fit into the curve.
     """
     row = data()["twist_test"]
-    vehicle = base.described_vehicle()
+    vehicle = described or base.described_vehicle()
     twist = twist_of(vehicle)
     heads = [point[0] for point in vehicle.coupler.points]
     length = max(heads) - min(heads)

@@ -53,8 +53,8 @@ def assess_ride(
 ) -> None:
     """Runs after UIC 518 / EN 14363, by test sections, with limits.
 
-    Forces on the track, safety against derailment, unloading, accelerations; estimated maxima of many sections;
-    ride index and comfort; forces and displacements of logged couplings.
+    Forces on the track, safety against derailment, unloading, accelerations; estimated maxima of many
+    sections; ride index and comfort; forces and displacements of logged couplings.
     """
     with output.errors_in_one_line(folders[0] if len(folders) == 1 else None):
         inputs.check_range("--section-length-m", section_length_m, 10.0, 1000.0, "m")
