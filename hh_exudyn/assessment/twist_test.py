@@ -149,12 +149,12 @@ def twist_case(base: Case, curve: bool, described: Vehicle | None = None) -> Cas
 
 def _parts(twist: Twist) -> list[tuple[float, float]]:
     """Length [m] and change of the cross-level [mm] of the two parts of the twist."""
-    gap = (
-        twist.distance - twist.wheelbase
-    )  # from the leading bogie's last wheelset to the trailing one's first
+    if twist.wheelbase == 0.0:  # both wheelsets stay on the twist for a while
+        length = twist.distance + _HELD
+        return [(length, 1e3 * twist.of_body * length)]
+    gap = twist.distance - twist.wheelbase  # between the facing wheelsets of both bogies
     steep = twist.of_bogie * twist.wheelbase
-    parts = [(gap, 1e3 * (twist.height - steep))]
-    return [*parts, (twist.wheelbase, 1e3 * steep)] if twist.wheelbase > 0.0 else parts
+    return [(gap, 1e3 * (twist.height - steep)), (twist.wheelbase, 1e3 * steep)]
 
 
 def _on_straight(twist: Twist, length: float, gauge: float, row: dict[str, float]) -> list[dict[str, Any]]:
