@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from hh_exudyn.log.store import Run
 
 MOST_ELEMENTS = 6  # whose wheels are listed; of more, the largest of all wheels of each
+_LEFT_OUT = ("q_mean_N", "y_over_q_mean")  # of the shorter table
 
 
 class OfElement(NamedTuple):
@@ -148,10 +149,11 @@ def _wheel_table(title: str, columns: tuple[_Shown, ...], found: Sequence[OfElem
 
 def _largest_table(title: str, columns: tuple[_Shown, ...], found: Sequence[OfElement]) -> Table:
     """A line for every element, each number with its wheel."""
+    columns = tuple(one for one in columns if one.name not in _LEFT_OUT)
     table = output.new_table(title, ("element", "from [m]", *(one.heading for one in columns)))
     table.columns[0].justify = "left"
     for element, wheelsets, load in found:
-        cells = []
+        cells: list[str] = []
         for one in columns:
             values = {
                 f"{_number(row, wheelsets)}{'' if one.of_wheelset else side}": one.of(row, load)[i]

@@ -243,7 +243,5 @@ def test_couplings_are_sent_and_the_most_varying_ones_are_in_view(short: Any, tm
     assert np.ravel(moved) == pytest.approx(2.0 * wave)
     courses = coupling_courses(log, short.times)
     assert most_varying(courses) == ["spring_1", "spring_2", "spring_3"]
-    with pytest.raises(
-        ValueError, match=r"has spring_0 at \d+ of the \d+ times"
-    ):
+    with pytest.raises(ValueError, match=r"has spring_0 at \d+ of the \d+ times"):
         coupling_courses(log.slice(4), short.times)
