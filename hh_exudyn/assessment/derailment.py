@@ -14,6 +14,7 @@ Q0 is the weight of the vehicle shared by its wheels. The limits against climbin
 the vehicle's wheels and the highest friction of its contacts, which lower them.
 """
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -27,11 +28,12 @@ from hh_exudyn.log.store import Run
 from hh_exudyn.log.wheel_forces import WheelForces
 
 _LEAST_LOAD = 0.01  # of the mean Q: divisor of Y where a wheel is unloaded
+_STEEPEST = math.radians(89.0)
 _KM_H = 1.0 / 3.6  # m/s
 
 
 def derailment_limits(run: Run, case: Case, wheelsets: int) -> dict[str, Limit]:
-    """Nadal's and Weinstock's limits of a run.
+    """Nadal's and Weinstock's limits of a run; none where a measured flange leans over (89 degrees and more).
 
     Parameters
     ----------
@@ -47,7 +49,7 @@ def derailment_limits(run: Run, case: Case, wheelsets: int) -> dict[str, Limit]:
     friction = max(
         float(np.asarray(batch["friction"]).max()) for batch in run.batches("contact", ["friction"])
     )
-    return climbing_limits(flattest, friction)
+    return climbing_limits(flattest, friction) if flattest < _STEEPEST else {}
 
 
 def derailment_histories(

@@ -17,8 +17,9 @@ from hh_exudyn.playback.layout import COUPLING_KINDS
 from hh_exudyn.playback.send import Clock
 
 SHOWN = 3  # couplings in view: three components each are nine curves
-_COLOURS = {"x": (229, 57, 53), "y": (67, 160, 71), "z": (30, 136, 229)}
+_COLOURS = ((229, 57, 53), (67, 160, 71), (30, 136, 229), (251, 192, 45), (171, 71, 188), (0, 172, 193))
 _AXES = "xyz"
+_LIGHT = {"x": 0.0, "y": 0.4, "z": 0.75}  # share of white in the colour of a component
 
 
 class CouplingCourse(NamedTuple):
@@ -67,8 +68,8 @@ def most_varying(courses: Sequence[CouplingCourse]) -> list[str]:
     return [one.name for one in courses if one.name in largest]
 
 
-def send_coupling(stream: rr.RecordingStream, when: Clock, course: CouplingCourse) -> None:
-    """Forces and displacements of a coupling as curves.
+def send_couplings(stream: rr.RecordingStream, when: Clock, courses: Sequence[CouplingCourse]) -> None:
+    """Forces and displacements as curves; those in view have colours of their own.
 
     Parameters
     ----------
@@ -76,12 +77,16 @@ def send_coupling(stream: rr.RecordingStream, when: Clock, course: CouplingCours
         The recording.
     when
         Timelines of the n output times.
-    course
-        The coupling at these times.
+    courses
+        The couplings at these times.
     """
-    for kind, values in course.values.items():
-        for i, axis in enumerate(_AXES):
-            entity = f"couplings/{kind}/{course.name}/{axis}"
-            style = rr.SeriesLines(colors=[_COLOURS[axis]], names=[f"{course.name} {axis}"], widths=[1.6])
-            stream.log(entity, style, static=True)
-            stream.send_columns(entity, when, rr.Scalars.columns(scalars=values[:, i]))
+    first = most_varying(courses)
+    for number, course in enumerate(sorted(courses, key=lambda one: one.name not in first)):
+        base = np.array(_COLOURS[number % len(_COLOURS)])
+        for kind, values in course.values.items():
+            for i, axis in enumerate(_AXES):
+                entity = f"couplings/{kind}/{course.name}/{axis}"
+                colour = np.rint(base + _LIGHT[axis] * (255 - base)).astype(int).tolist()
+                style = rr.SeriesLines(colors=[colour], names=[f"{course.name} {axis}"], widths=[1.6])
+                stream.log(entity, style, static=True)
+                stream.send_columns(entity, when, rr.Scalars.columns(scalars=values[:, i]))

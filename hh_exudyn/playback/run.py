@@ -24,7 +24,7 @@ from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.log.parts import part_paths
 from hh_exudyn.log.store import Run
-from hh_exudyn.playback.couplings import CouplingCourse, coupling_courses, most_varying, send_coupling
+from hh_exudyn.playback.couplings import CouplingCourse, coupling_courses, most_varying, send_couplings
 from hh_exudyn.playback.frames import Poses, moving_frame, relative
 from hh_exudyn.playback.layout import blueprint
 from hh_exudyn.playback.recording import new_recording
@@ -224,8 +224,7 @@ def send(
             raise ValueError(f"the motion log has body {body} at other times than {leader}")
         send_poses(stream, f"world/vehicle/{body}", when, relative(body_poses(columns), frame))
     _send_wheels(stream, _thinned(contact, times, every), scene, frame, times, s, vehicle)
-    for course in couplings:
-        send_coupling(stream, when, course)
+    send_couplings(stream, when, couplings)
 
 
 def _send_wheels(
