@@ -25,10 +25,10 @@ _LARGEST_INTERVAL = 0.0101  # s, five values in a period of it; the log's times 
 _LEAST_LOAD = 0.01  # of the mean Q: divisor of Y in peaks, where a wheel is unloaded
 
 _WEAR = ("force_x", "force_y", "moment_z", "nu_x", "nu_y", "phi")
+_SOLVED = (*_WEAR, "normal_force", "a", "b")
 _COLUMNS = (
-    *("time", "s", "vehicle", "wheelset", "side", "normal_force", "a", "b", "p_max"),
-    *("Q", "Y", "angle_of_attack", "y_wheelset"),
-    *_WEAR,
+    *("time", "s", "vehicle", "wheelset", "side", "p_max", "Q", "Y", "angle_of_attack", "y_wheelset"),
+    *_SOLVED,
 )
 
 Pair = tuple[float, float]
@@ -124,15 +124,10 @@ def stretch_summaries(run: Run, stretches: Sequence[Pair]) -> list[list[Wheelset
     FileNotFoundError, ValueError
         The run has no contact log, or one without rows.
     """
-    chunks = list(contact_chunks(run, _COLUMNS))
+    chunks = [_drivers(chunk) for chunk in contact_chunks(run, _COLUMNS)]
     if not chunks:
         raise ValueError(f"{run.directory}: the contact log has no rows")
-    rows = {name: np.concatenate([chunk[name] for chunk in chunks]) for name in _COLUMNS}
-    rows["wear_number"] = wear_number(*(rows[name] for name in _WEAR))
-    index = surface_fatigue_index(
-        rows["force_x"], rows["force_y"], rows["normal_force"], rows["a"], rows["b"], ER7.shear_yield
-    )
-    rows["fatigue"] = (index > 0.0).astype(np.float64)
+    rows = {name: np.concatenate([chunk[name] for chunk in chunks]) for name in chunks[0]}
     times = np.unique(rows["time"])
     wheelsets = np.unique(np.column_stack([rows["vehicle"], rows["wheelset"]]), axis=0).astype(int)
     found: list[list[WheelsetSummary]] = [[] for _ in stretches]
@@ -178,6 +173,17 @@ def seizure_shares(run: Run) -> dict[str, float]:
         f"{wheelsets.index(key[:2]) + 1}{'L' if key[2] == LEFT else 'R'}": len(own) / len(times)
         for key, own in seized.items()
     }
+
+
+def _drivers(chunk: _Rows) -> _Rows:
+    """Rows of the log with wear number and fatigue in place of what they are computed from."""
+    index = surface_fatigue_index(
+        *(chunk[name] for name in ("force_x", "force_y", "normal_force", "a", "b")), ER7.shear_yield
+    )
+    kept = {name: values for name, values in chunk.items() if name not in _SOLVED}
+    kept["wear_number"] = wear_number(*(chunk[name] for name in _WEAR))
+    kept["fatigue"] = (index > 0.0).astype(np.float64)
+    return kept
 
 
 def _course(own: _Rows, times: NDArray[np.float64]) -> _Course:

@@ -108,12 +108,13 @@ def _show(found: "dict[str, Assessment]", runs: "Sequence[Run]") -> None:
 
     with inputs.refused_as_bad_input():
         estimates = largest(zone_estimates(list(found.values())))
+        ranges = [coupling_ranges(run) for run in runs]
     for name, one in found.items():
         assess_tables.print_run(name, one)
     assess_tables.print_estimates(estimates)
-    for (name, one), run in zip(found.items(), runs, strict=True):
+    for (name, one), own in zip(found.items(), ranges, strict=True):
         assess_tables.print_ride(name, one)
-        assess_tables.print_couplings(name, coupling_ranges(run))
+        assess_tables.print_couplings(name, own)
     assess_tables.print_sources(next(iter(found.values())))
 
 

@@ -65,7 +65,7 @@ def _show(
         _print_verdict("Y/Q of an outer wheel in the curve", float(outer), limits["y_over_q"])
         lifts = [wheel["lift_mm"] for wheel in runs["curve"].status.get("watch", [])]
         if lifts:
-            _print_verdict("lift of a wheel in the curve [m]", 1e-3 * max(lifts), limits["lift"])
+            _print_verdict("lift of a wheel in the curve [mm]", 1e-3 * max(lifts), limits["lift"], 1e3)
 
 
 def _table(results: "dict[str, TwistResult]") -> Table:
@@ -82,8 +82,10 @@ def _table(results: "dict[str, TwistResult]") -> Table:
     return table
 
 
-def _print_verdict(what: str, value: float, limit: "Limit") -> None:
-    """A value, its limit with its source, and whether it holds."""
+def _print_verdict(what: str, value: float, limit: "Limit", factor: float = 1.0) -> None:
+    """A value, its limit with its source, and whether it holds; the factor leads to the shown unit."""
     verdict = "holds" if value <= limit.value else "EXCEEDED"
     mark = "" if limit.confirmed else " ?"
-    output.print_line(f"{what}: {value:.3g}, limit {limit.value:.3g}{mark}: {verdict} ({limit.source})")
+    output.print_line(
+        f"{what}: {factor * value:.3g}, limit {factor * limit.value:.3g}{mark}: {verdict} ({limit.source})"
+    )

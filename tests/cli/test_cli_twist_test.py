@@ -51,4 +51,4 @@ def test_verdicts(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "twist of a bogie 4.20 per mille over 1.800 m, of the body 3.70 per mille over 9.000 m" in text
     assert "dQ/Q0 on straight track: 0.65, limit 0.6 ?: EXCEEDED (published: EN 14363" in text
     assert "Y/Q of an outer wheel in the curve: 0.7, limit 1.2 ?: holds" in text
-    assert "lift of a wheel in the curve [m]: 0.0004, limit 0.005 ?: holds" in text
+    assert "lift of a wheel in the curve [mm]: 0.4, limit 5 ?: holds" in text
