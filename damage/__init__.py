@@ -7,8 +7,8 @@ Start with `damage.report.assess`, which takes a run, files, a table or arrays.
 `model`         `DamageModel`: settings of a damage computation
 `material`      wheel steels
 `parameters`    numbers with their sources, from ``damage/data``
-`summary`       means per wheelset over the last part of a run
-`extremes`      a run in a handful of numbers, the largest over its wheels
+`summary`       means and peaks per wheelset on stretches of track
+`extremes`      a run in a handful of numbers, the largest over wheels and elements of track
 `cells`         middles of the cells of a patch
 `patch_strips`  strips of a patch on the wheel
 `bounds`        checks of numbers against their bounds

@@ -1,10 +1,10 @@
 """A run in a handful of numbers: the largest over its wheels of what judges a vehicle, to compare runs by.
 
-Forces, attack and damage drivers are means over the last part of the run (`damage.summary`), tread wear the
-deepest of a wheel over the whole run (`damage.report`).
+Forces, attack and damage drivers are means over elements of the track (`damage.summary`), the largest of all
+wheels and elements; tread wear is the deepest of a wheel over the whole run (`damage.report`).
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -15,12 +15,12 @@ from hh_exudyn.conventions import LEFT
 
 
 class Extreme(NamedTuple):
-    """The largest value of a quantity among the wheels of a run."""
+    """The largest value of a quantity among the wheels of a run, and the elements of its track."""
 
     quantity: str
     unit: str
     value: float
-    wheel: str  # "1L", or the number of the wheelset
+    wheel: str  # "1L", or the number of the wheelset, and where: "1L@100m" on the element that begins there
 
 
 _PER_WHEEL: dict[str, tuple[str, float, Callable[[WheelsetSummary], tuple[float, float]]]] = {
@@ -33,24 +33,35 @@ _PER_WHEEL: dict[str, tuple[str, float, Callable[[WheelsetSummary], tuple[float,
 }
 
 
-def extremes(rows: Iterable[WheelsetSummary], wear: pyarrow.Table) -> list[Extreme]:
+def extremes(elements: Mapping[float, Sequence[WheelsetSummary]], wear: pyarrow.Table) -> list[Extreme]:
     """Largest Q, Y (outwards), Y/Q, angle of attack (either way), wear number, p_max, FI > 0, tread wear.
 
     Parameters
     ----------
-    rows : iterable of WheelsetSummary
-        Of a run, by `damage.summary.wheelset_summary`.
+    elements : mapping
+        Of the track of a run: beginning [m], and its summaries by `damage.summary.stretch_summaries`.
     wear : pyarrow.Table
         Of the same run, by `damage.report.DamageReport.to_table`.
     """
-    rows = list(rows)
+    numbers = sorted({(row.vehicle, row.wheelset) for rows in elements.values() for row in rows})
+
+    def place(row: WheelsetSummary, side: str, start: float) -> str:
+        return f"{numbers.index((row.vehicle, row.wheelset)) + 1}{side}@{start:.0f}m"
+
     found = []
     for quantity, (unit, factor, of) in _PER_WHEEL.items():
         values = {
-            f"{i}{side}": factor * of(row)[s] for i, row in enumerate(rows, 1) for s, side in enumerate("LR")
+            place(row, side, start): factor * of(row)[s]
+            for start, rows in elements.items()
+            for row in rows
+            for s, side in enumerate("LR")
         }
         found.append(_largest(quantity, unit, values))
-    attack = {str(i): 1e3 * abs(row.angle_of_attack) for i, row in enumerate(rows, 1)}
+    attack = {
+        place(row, "", start): 1e3 * abs(row.angle_of_attack)
+        for start, rows in elements.items()
+        for row in rows
+    }
     found.insert(3, _largest("angle of attack", "mrad", attack))
     return [*found, _largest("tread wear", "mm/1000 km", _tread_wear(wear))]
 

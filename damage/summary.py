@@ -1,8 +1,11 @@
-"""Summary of the last part of a run: forces, position and damage drivers of every wheelset.
+"""Summary of stretches of track: forces, position and damage drivers of every wheelset.
 
-The means are over time, over the output times of a window; a wheel off the rail counts with zero force.
+A stretch is an element of the track, a curve or a straight, and counts for every wheelset while it runs there
+itself. Means are over the output times; a wheel off the rail counts with zero force. Peaks are of forces
+below 20 Hz, of the logged ones where the log is coarser than 10 ms.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,22 +18,26 @@ from damage.rcf.surface_index import surface_fatigue_index
 from damage.wear.energy import wear_number
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.log.store import Run
+from hh_exudyn.signals import low_pass
 
-STEADY_SHARE = 0.2  # of the run time: the demo's last 50 m of 250 m, a curve entered 100 m earlier
+PEAK_CUTOFF = 20.0  # Hz, as EN 14363 and the thesis (section 1.2.1) filter forces
+_LARGEST_INTERVAL = 0.0101  # s, five values in a period of it; the log's times are rounded
+_LEAST_LOAD = 0.01  # of the mean Q: divisor of Y in peaks, where a wheel is unloaded
 
 _WEAR = ("force_x", "force_y", "moment_z", "nu_x", "nu_y", "phi")
+_SOLVED = (*_WEAR, "normal_force", "a", "b")
 _COLUMNS = (
-    *("time", "vehicle", "wheelset", "side", "normal_force", "a", "b", "p_max"),
-    *("Q", "Y", "angle_of_attack", "y_wheelset"),
-    *_WEAR,
+    *("time", "s", "vehicle", "wheelset", "side", "p_max", "Q", "Y", "angle_of_attack", "y_wheelset"),
+    *_SOLVED,
 )
 
 Pair = tuple[float, float]
+_Rows = dict[str, NDArray[np.float64]]
 
 
 @dataclass(frozen=True)
 class WheelsetSummary:
-    """One wheelset over a window of time. Pairs are (left wheel, right wheel).
+    """One wheelset on a stretch of track. Pairs are (left wheel, right wheel).
 
     Attributes
     ----------
@@ -40,6 +47,10 @@ class WheelsetSummary:
         Mean vertical force and mean lateral force outwards, on the rail [N].
     y_over_q
         Ratio of these means [-]; NaN without vertical force.
+    Q_peak, Y_peak, y_over_q_peak
+        The largest of each [N], [-].
+    Q_least
+        The least vertical force [N].
     angle_of_attack
         Mean yaw to the rails, positive to the left [rad].
     lateral
@@ -57,6 +68,10 @@ class WheelsetSummary:
     Q: Pair
     Y: Pair
     y_over_q: Pair
+    Q_peak: Pair
+    Y_peak: Pair
+    y_over_q_peak: Pair
+    Q_least: Pair
     angle_of_attack: float
     lateral: float
     p_max: Pair
@@ -64,45 +79,69 @@ class WheelsetSummary:
     fatigue_share: Pair
 
 
-def steady_window(run: Run) -> Pair:
-    """First and last time of the last fifth of a run [s].
+@dataclass(frozen=True, eq=False)
+class _Course:
+    """A wheelset at all output times: arc length (n,), Q and Y (n, 2), and the same below 20 Hz."""
 
-    Raises
-    ------
-    FileNotFoundError, ValueError
-        The run has no contact log, or an empty one.
-    """
-    times = [(chunk["time"].min(), chunk["time"].max()) for chunk in contact_chunks(run, ("time",))]
-    if not times:
-        raise ValueError(f"{run.directory}: the contact log has no rows")
-    first, last = float(min(low for low, _ in times)), float(max(high for _, high in times))
-    return last - STEADY_SHARE * (last - first), last
+    s: NDArray[np.float64]
+    Q: NDArray[np.float64]
+    Y: NDArray[np.float64]
 
 
-def wheelset_summary(run: Run, window: Pair) -> list[WheelsetSummary]:
-    """Summary of every wheelset over a window of time, from the contact log alone.
+def wheelset_summary(run: Run, stretch: Pair) -> list[WheelsetSummary]:
+    """Summary of every wheelset on one stretch of track, from the contact log alone.
 
     Parameters
     ----------
     run
         The run on disk.
-    window
-        First and last time [s], both included.
+    stretch
+        First and last arc length [m], both included.
 
     Raises
     ------
     FileNotFoundError, ValueError
-        The run has no contact log; the window holds no row of it.
+        The run has no contact log; no wheelset has contact on the stretch.
     """
-    rows = _rows(run, window)
-    count = np.unique(rows["time"]).size
+    (found,) = stretch_summaries(run, [stretch])
+    if not found:
+        raise ValueError(f"{run.directory}: no contact between s = {stretch[0]:g} and {stretch[1]:g} m")
+    return found
+
+
+def stretch_summaries(run: Run, stretches: Sequence[Pair]) -> list[list[WheelsetSummary]]:
+    """Summaries of several stretches; a wheelset that has no contact on a stretch is not in its list.
+
+    Parameters
+    ----------
+    run
+        The run on disk.
+    stretches
+        First and last arc lengths [m].
+
+    Raises
+    ------
+    FileNotFoundError, ValueError
+        The run has no contact log, or one without rows.
+    """
+    chunks = [_drivers(chunk) for chunk in contact_chunks(run, _COLUMNS)]
+    if not chunks:
+        raise ValueError(f"{run.directory}: the contact log has no rows")
+    rows = {name: np.concatenate([chunk[name] for chunk in chunks]) for name in chunks[0]}
+    times = np.unique(rows["time"])
     wheelsets = np.unique(np.column_stack([rows["vehicle"], rows["wheelset"]]), axis=0).astype(int)
-    rows["wear_number"] = wear_number(*(rows[name] for name in _WEAR))
-    index = surface_fatigue_index(
-        rows["force_x"], rows["force_y"], rows["normal_force"], rows["a"], rows["b"], ER7.shear_yield
-    )
-    rows["fatigue"] = (index > 0.0).astype(np.float64)
-    return [_summary(rows, int(vehicle), int(wheelset), count) for vehicle, wheelset in wheelsets]
+    found: list[list[WheelsetSummary]] = [[] for _ in stretches]
+    for vehicle, wheelset in wheelsets:
+        mine = (rows["vehicle"] == vehicle) & (rows["wheelset"] == wheelset)
+        own = {name: values[mine] for name, values in rows.items()}
+        course = _course(own, times)
+        for place, (first, last) in zip(found, stretches, strict=True):
+            there = (own["s"] >= first) & (own["s"] <= last)
+            if there.any():
+                during = (course.s >= first) & (course.s <= last)
+                on_it = {name: values[there] for name, values in own.items()}
+                place.append(_summary(on_it, course, during, (int(vehicle), int(wheelset))))
+    return found
 
 
 def seizure_shares(run: Run) -> dict[str, float]:
@@ -136,43 +175,62 @@ def seizure_shares(run: Run) -> dict[str, float]:
     }
 
 
-def _rows(run: Run, window: Pair) -> dict[str, NDArray[np.float64]]:
-    """The rows of the window, column by column."""
-    parts: list[dict[str, NDArray[np.float64]]] = []
-    for chunk in contact_chunks(run, _COLUMNS):
-        inside = (chunk["time"] >= window[0]) & (chunk["time"] <= window[1])
-        parts.append({name: values[inside] for name, values in chunk.items()})
-    rows = {name: np.concatenate([chunk[name] for chunk in parts]) for name in _COLUMNS} if parts else {}
-    if not rows or rows["time"].size == 0:
-        raise ValueError(f"{run.directory}: no contact between {window[0]:g} and {window[1]:g} s")
-    return rows
+def _drivers(chunk: _Rows) -> _Rows:
+    """Rows of the log with wear number and fatigue in place of what they are computed from."""
+    index = surface_fatigue_index(
+        *(chunk[name] for name in ("force_x", "force_y", "normal_force", "a", "b")), ER7.shear_yield
+    )
+    kept = {name: values for name, values in chunk.items() if name not in _SOLVED}
+    kept["wear_number"] = wear_number(*(chunk[name] for name in _WEAR))
+    kept["fatigue"] = (index > 0.0).astype(np.float64)
+    return kept
+
+
+def _course(own: _Rows, times: NDArray[np.float64]) -> _Course:
+    """A wheelset over all output times; forces are zero in the air and below 20 Hz where the log is fine."""
+    _, first = np.unique(own["time"], return_index=True)
+    s = np.interp(times, own["time"][first], own["s"][first])
+    Q, Y = np.zeros((times.size, 2)), np.zeros((times.size, 2))
+    for i, side in enumerate((LEFT, RIGHT)):
+        of_wheel = own["side"] == side
+        at = np.searchsorted(times, own["time"][of_wheel])
+        Q[at, i], Y[at, i] = own["Q"][of_wheel], own["Y"][of_wheel]
+    steps = np.diff(times)
+    if steps.size and np.ptp(steps) < 1e-6 and steps[0] < _LARGEST_INTERVAL:
+        Q, Y = (low_pass(force, float(steps[0]), PEAK_CUTOFF) for force in (Q, Y))
+    return _Course(s, Q, Y)
 
 
 def _summary(
-    rows: dict[str, NDArray[np.float64]], vehicle: int, wheelset: int, count: int
+    rows: _Rows, course: _Course, during: NDArray[np.bool_], number: tuple[int, int]
 ) -> WheelsetSummary:
-    """Means of one wheelset over `count` output times."""
-    mine = (rows["vehicle"] == vehicle) & (rows["wheelset"] == wheelset)
-    both = {name: values[mine] for name, values in rows.items()}
-    _, first = np.unique(both["time"], return_index=True)  # values repeated on both wheels and all patches
+    """One wheelset on a stretch: its rows there, and the output times `during` which it is there."""
+    _, first = np.unique(rows["time"], return_index=True)  # values repeated on both wheels and all patches
     wheels = [
-        _wheel({name: values[both["side"] == side] for name, values in both.items()})
+        _wheel({name: values[rows["side"] == side] for name, values in rows.items()})
         for side in (LEFT, RIGHT)
     ]
+    count = int(during.sum())
 
     def mean(name: str) -> Pair:
         left, right = (float(wheel[name].sum()) / count for wheel in wheels)
         return left, right
 
     Q, Y = mean("Q"), mean("Y")
+    load, guiding = course.Q[during], course.Y[during]
+    ratio = guiding / np.maximum(load, np.maximum(_LEAST_LOAD * load.mean(axis=0), 1e-9))
     return WheelsetSummary(
-        vehicle=vehicle,
-        wheelset=wheelset,
+        vehicle=number[0],
+        wheelset=number[1],
         Q=Q,
         Y=Y,
         y_over_q=(_ratio(Y[0], Q[0]), _ratio(Y[1], Q[1])),
-        angle_of_attack=float(both["angle_of_attack"][first].mean()),
-        lateral=float(both["y_wheelset"][first].mean()),
+        Q_peak=_pair(load.max(axis=0)),
+        Y_peak=_pair(guiding.max(axis=0)),
+        y_over_q_peak=_pair(ratio.max(axis=0)),
+        Q_least=_pair(load.min(axis=0)),
+        angle_of_attack=float(rows["angle_of_attack"][first].mean()),
+        lateral=float(rows["y_wheelset"][first].mean()),
         p_max=mean("p_max"),
         wear_number=mean("wear_number"),
         fatigue_share=mean("fatigue"),
@@ -193,3 +251,7 @@ def _wheel(rows: dict[str, NDArray[np.float64]]) -> dict[str, NDArray[np.float64
 
 def _ratio(part: float, whole: float) -> float:
     return part / whole if whole != 0.0 else float("nan")
+
+
+def _pair(values: NDArray[np.float64]) -> Pair:
+    return float(values[0]), float(values[1])

@@ -10,7 +10,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from damage.summary import steady_window, wheelset_summary
+from damage.summary import wheelset_summary
 from hh_exudyn.case import Case, CurveCase, StraightCase, TrackCase, TransitionCase
 from hh_exudyn.multibody.simulate import simulate
 
@@ -21,6 +21,7 @@ TRACK = TrackCase(
         CurveCase(length_m=40, radius_m=450, hand="left", cant_mm=65, gauge_mm=1445),
     )
 )
+CURVE = (70.0, 90.0)  # m, where the wagon has settled in it
 
 
 def main() -> None:
@@ -29,7 +30,7 @@ def main() -> None:
     for case in (dry, dry.with_changes(name="damp", friction=0.20)):
         run = simulate(case, folder / case.name)
         print(f"\n{case.name}, friction {case.friction}: {run.directory}")
-        for row in wheelset_summary(run, steady_window(run)):
+        for row in wheelset_summary(run, CURVE):
             print(
                 f"  wheelset {row.wheelset}: Q {row.Q[0] / 1e3:5.1f} / {row.Q[1] / 1e3:5.1f} kN, "
                 f"Y {row.Y[0] / 1e3:5.1f} / {row.Y[1] / 1e3:5.1f} kN, "

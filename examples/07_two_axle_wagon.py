@@ -10,7 +10,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from damage.summary import steady_window, wheelset_summary
+from damage.summary import wheelset_summary
 from hh_exudyn.case import Case, CurveCase, StraightCase, TrackCase, TransitionCase
 from hh_exudyn.figures.vehicle import summary, vehicle_sheet
 from hh_exudyn.multibody.simulate import simulate
@@ -49,7 +49,7 @@ def main() -> None:
     run = simulate(case, folder / "run", vehicle=wagon)
     vehicle_sheet(f"{wagon.name}: {summary(wagon)}", wagon).savefig(folder / "wagon.png", dpi=150)
     print(f"{wagon.name}, {wagon.mass / 1e3:.1f} t, {run.directory}")
-    for row in wheelset_summary(run, steady_window(run)):
+    for row in wheelset_summary(run, (70.0, 90.0)):  # m, the second half of the curve
         q, y = ("{:.1f} / {:.1f} kN".format(*(1e-3 * force for force in pair)) for pair in (row.Q, row.Y))
         attack = 1e3 * row.angle_of_attack
         print(f"  wheelset {row.wheelset}: Q {q}, Y {y}, angle of attack {attack:.2f} mrad")

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from damage.summary import steady_window, wheelset_summary
+from damage.summary import wheelset_summary
 from hh_exudyn.case import read_case
 from hh_exudyn.figures.curving import curving_figure
 from hh_exudyn.multibody.once import simulate_once
@@ -43,7 +43,7 @@ def main() -> None:
             part["gauge_mm"] = 1440.0
         case = demo.with_changes(name=f"R{radius:g}", track={"sections": plan})
         run = simulate_once(case, folder / case.name, lambda done, text: print(f"{done:4.0%}", end="\r"))
-        found.append(wheelset_summary(run, steady_window(run)))
+        found.append(wheelset_summary(run, (165.0, 215.0)))  # m, end of the curve
         for one in found[-1]:
             where = f"attack {1e3 * one.angle_of_attack:.3f} mrad, position {1e3 * one.lateral:.2f} mm"
             print(f"  wheelset {one.wheelset} of unit {one.vehicle}: {where}")

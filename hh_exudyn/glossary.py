@@ -43,6 +43,15 @@ Contact
     rolling radius          radius of the wheel at the contact [m]
     strip                   part of a patch along the rolling direction; of a wheel, a ring of its profile
 
+Assessment
+    axle sum                |Y/Q| of both wheels of a wheelset, against Weinstock's limit [-]
+    dQ/Q0, unloading        missing share of the static load of a wheel [-]
+    N_MV                    mean comfort of EN 12299 [-]; Wz: ride index of Sperling [-]
+    Nadal's limit           Y/Q at which a flange climbs, by its angle and friction [-]
+    sum Y                   lateral force of a wheelset on the track, mean over 2 m [N]
+    twist                   change of the cross-level over a distance, here a wheelbase, over that distance [-]
+    Yqst, Qqst              quasi-static Y and Q of a curve, the medians of a section [N]
+
 Damage
     Archard, Jendel         wear depth from pressure and sliding distance; Jendel's map of its coefficient
     EI, SI                  energy index, and stress index |q| - k, of a cell of the patch [Pa]

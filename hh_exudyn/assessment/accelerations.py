@@ -51,15 +51,21 @@ class PointAccelerations:
         [s].
     s : (n, places) array
         Arc length of each [m].
-    lateral, vertical : (n, places) arrays
-        In the axes of the body, to the left and up [m/s^2].
+    longitudinal, lateral, vertical : (n, places) arrays
+        In the axes of the body, forward, to the left and up [m/s^2].
     """
 
     places: tuple[str, ...]
     time: FloatArray
     s: FloatArray
+    longitudinal: FloatArray
     lateral: FloatArray
     vertical: FloatArray
+
+    @property
+    def interval(self) -> float:
+        """Time from one value to the next [s]."""
+        return float(self.time[1] - self.time[0])
 
 
 def body_places(vehicle: Vehicle, unit: int = 1) -> list[Place]:
@@ -139,7 +145,7 @@ def point_accelerations(run: Run, places: list[Place]) -> PointAccelerations:
             f"{run.directory}: the motion log has {time.size} output times, at least 4 are needed"
         )
     shape = (time.size, len(places))
-    s, lateral, vertical = np.empty(shape), np.empty(shape), np.empty(shape)
+    s, felt_there = np.empty(shape), np.empty((3, *shape))
     for i, place in enumerate(places):
         own = {name: values[names == place.body] for name, values in rows.items()}
         if own["time"].size != time.size:
@@ -153,5 +159,5 @@ def point_accelerations(run: Run, places: list[Place]) -> PointAccelerations:
         felt = CubicSpline(time, velocity).derivative()(time) + np.array([0.0, 0.0, GRAVITY])
         felt = turned.inv().apply(felt)
         s[:, i] = own["s"] + place.offset[0]
-        lateral[:, i], vertical[:, i] = felt[:, 1], felt[:, 2] - GRAVITY
-    return PointAccelerations(tuple(place.name for place in places), time, s, lateral, vertical)
+        felt_there[:, :, i] = felt.T - GRAVITY * np.array([[0.0], [0.0], [1.0]])
+    return PointAccelerations(tuple(place.name for place in places), time, s, *felt_there)

@@ -1,4 +1,4 @@
-"""Test sections of a track: straights, transitions and curves, divided by the lengths of UIC 518."""
+"""Elements of a track: straights, transitions, curves; its test sections, by the lengths of UIC 518."""
 
 import math
 from dataclasses import dataclass, replace
@@ -28,12 +28,15 @@ class AssessedSection:
         Arc length [m].
     curvature : float
         [1/m], positive to the left; 0 on a straight and for a transition.
+    cant : float
+        Of a curve [m], positive where its outer rail is higher.
     """
 
     kind: str
     start: float
     end: float
     curvature: float = 0.0
+    cant: float = 0.0
 
     @property
     def length(self) -> float:
@@ -54,6 +57,11 @@ class AssessedSection:
     def curved(self) -> bool:
         """Whether quasi-static forces are judged here."""
         return self.curvature != 0.0
+
+    @property
+    def title(self) -> str:
+        """ "straight", "transition", "curve R 450 m left"."""
+        return f"curve R {self.radius:.0f} m {self.hand}" if self.curved else self.kind
 
 
 @dataclass(frozen=True)
@@ -108,7 +116,7 @@ def cut_sections(alignment: Alignment, covered: tuple[float, float], length: flo
         raise ValueError(f"section length is {length:g} m, allowed are {LENGTHS[0]:g} to {LENGTHS[1]:g} m")
     found: list[AssessedSection] = []
     short: list[Unassessed] = []
-    for stretch in _stretches(alignment):
+    for stretch in track_elements(alignment):
         whole = covered[0] <= stretch.start and stretch.end <= covered[1]
         part = replace(stretch, start=max(stretch.start, covered[0]), end=min(stretch.end, covered[1]))
         if part.kind == TRANSITION:
@@ -146,8 +154,8 @@ def _wanted(part: AssessedSection) -> float:
     return next(float(row["length_m"]) for row in rows if row["name"] == part.kind)
 
 
-def _stretches(alignment: Alignment) -> list[AssessedSection]:
-    """Consecutive sections of the same kind as one."""
+def track_elements(alignment: Alignment) -> list[AssessedSection]:
+    """The elements of a track from its start: consecutive sections of the same kind and curvature are one."""
     found: list[AssessedSection] = []
     start = 0.0
     for section in alignment.sections:
@@ -155,8 +163,10 @@ def _stretches(alignment: Alignment) -> list[AssessedSection]:
         start = new.end
         if found and _same(found[-1], new):
             old = found[-1]
-            mean = (old.curvature * old.length + new.curvature * new.length) / (new.end - old.start)
-            found[-1] = replace(old, end=new.end, curvature=mean)
+            whole = new.end - old.start
+            curvature = (old.curvature * old.length + new.curvature * new.length) / whole
+            cant = (old.cant * old.length + new.cant * new.length) / whole
+            found[-1] = replace(old, end=new.end, curvature=curvature, cant=cant)
         else:
             found.append(new)
     return found
@@ -168,7 +178,8 @@ def _stretch(section: Section, start: float) -> AssessedSection:
     if isinstance(section, Straight):
         return AssessedSection(STRAIGHT, start, end)
     if isinstance(section, Curve):
-        return AssessedSection(_curve_class(section.state[0]), start, end, section.state[0])
+        curvature, cant, _ = section.state
+        return AssessedSection(_curve_class(curvature), start, end, curvature, abs(cant))
     if isinstance(section, Ramp):
         first, last = section.curvature
         largest = max(abs(first), abs(last))
@@ -176,7 +187,8 @@ def _stretch(section: Section, start: float) -> AssessedSection:
             return AssessedSection(STRAIGHT, start, end)
         if abs(first - last) <= _SAME_CURVATURE * largest:
             mean = 0.5 * (first + last)
-            return AssessedSection(_curve_class(mean), start, end, mean)
+            cant = 0.5 * abs(sum(section.cant))  # the outer rail is the higher one
+            return AssessedSection(_curve_class(mean), start, end, mean, cant)
     else:
         assert isinstance(section, Transition)
     return AssessedSection(TRANSITION, start, end)

@@ -34,6 +34,7 @@ from hh_exudyn.cli import output
 from hh_exudyn.cli import parameters as cli_parameters
 from hh_exudyn.cli import run as cli_run
 from hh_exudyn.cli import track as cli_track
+from hh_exudyn.cli import twist_test as cli_twist_test
 from hh_exudyn.cli import validate as cli_validate
 from hh_exudyn.cli import vehicle as cli_vehicle
 from hh_exudyn.cli.usage import OneLineUsage
@@ -52,6 +53,7 @@ cli_creep_curve.register(app)
 cli_damage.register(app)
 cli_track.register(app)
 cli_assess.register(app)
+cli_twist_test.register(app)
 cli_compare.register(app)
 cli_vehicle.register(app)
 cli_linear.register(app)

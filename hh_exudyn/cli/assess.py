@@ -1,39 +1,35 @@
-"""The command ``assess``: a run after UIC 518 / EN 14363. It computes nothing itself.
+"""The command ``assess``: runs after UIC 518 / EN 14363. It computes nothing itself.
 
-Conversion to kilonewtons and millimetres is here; the packages below use SI. Large packages are imported
-inside the command, so that ``--help`` is fast.
+Large packages are imported inside the command, so that ``--help`` is fast.
 """
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.table import Table
 
-from hh_exudyn.cli import inputs, output
+from hh_exudyn.cli import assess_tables, inputs, output
+from hh_exudyn.cli.elements import element_summaries
+from hh_exudyn.cli.elements import to_table as element_table
 
 if TYPE_CHECKING:
     from hh_exudyn.assessment.report import Assessment
+    from hh_exudyn.log.store import Run
 
-_SHOWN = {  # quantity: heading, factor, digits
-    "sum_y": ("sum Y, 2 m [kN]", 1e-3, 1),
-    "y_over_q": ("Y/Q, 2 m [-]", 1.0, 3),
-    "q": ("Q [kN]", 1e-3, 1),
-    "y_quasi_static": ("Y quasi-static [kN]", 1e-3, 1),
-    "q_quasi_static": ("Q quasi-static [kN]", 1e-3, 1),
-    "body_lateral": ("body lateral [m/s2]", 1.0, 2),
-    "body_vertical": ("body vertical [m/s2]", 1.0, 2),
-    "body_lateral_rms": ("body lateral, rms [m/s2]", 1.0, 2),
-    "body_vertical_rms": ("body vertical, rms [m/s2]", 1.0, 2),
-    "body_lateral_quasi_static": ("body lateral, quasi-static [m/s2]", 1.0, 2),
-    "sum_y_rms": ("sum Y about f0, rms [kN]", 1e-3, 1),
-    "bogie_lateral_rms": ("bogie lateral about f0, rms [m/s2]", 1.0, 2),
-}
-
-
+RunFolders = Annotated[
+    list[Path], typer.Argument(metavar="DIR...", help="Folders of runs of one vehicle, judged together.")
+]
 NewTable = Annotated[
     Path | None,
     typer.Option(metavar="F.csv", help="Write every section and place to this new file, in SI."),
+]
+NewTables = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FOLDER",
+        help="Write sections, statistics, ride, elements and couplings as .csv, in SI, to this new folder.",
+    ),
 ]
 
 
@@ -43,9 +39,10 @@ def register(app: typer.Typer) -> None:
 
 
 def assess_ride(
-    folder: inputs.RunFolder,
+    folders: RunFolders,
     figure: inputs.NewFigure = None,
     table: NewTable = None,
+    tables: NewTables = None,
     unit: Annotated[int, typer.Option(metavar="N", help="Of a vehicle of several units, 1 leading.")] = 1,
     section_length_m: Annotated[
         float | None,
@@ -54,90 +51,92 @@ def assess_ride(
     unfinished: inputs.Unfinished = False,
     skip_broken_parts: inputs.SkipBrokenParts = False,
 ) -> None:
-    """Forces and accelerations of a run after UIC 518 / EN 14363, by test sections, and their limits."""
-    with output.errors_in_one_line(folder):
+    """Runs after UIC 518 / EN 14363, by test sections, with limits.
+
+    Forces on the track, safety against derailment, unloading, accelerations; estimated maxima of many
+    sections; ride index and comfort; forces and displacements of logged couplings.
+    """
+    with output.errors_in_one_line(folders[0] if len(folders) == 1 else None):
         inputs.check_range("--section-length-m", section_length_m, 10.0, 1000.0, "m")
         inputs.require_new_file(figure, "--out", inputs.FIGURES)
         inputs.require_new_file(table, "--table", inputs.TABLES)
-        found = _assessed(folder, unit, section_length_m, unfinished, skip_broken_parts)
-        _show(found, folder.name)
+        if tables is not None:
+            inputs.require_new_folder(tables, "--tables")
+        if figure is not None and len(folders) > 1:
+            raise inputs.BadInput(f"--out {figure}: a figure is of one run, {len(folders)} are given")
+        runs = [_opened(folder, skip_broken_parts) for folder in folders]
+        found = {
+            folder.name: _assessed(run, unit, section_length_m, unfinished)
+            for folder, run in zip(folders, runs, strict=True)
+        }
+        if len(found) < len(folders):
+            raise inputs.BadInput("DIR...: two runs have the same name, their tables would be one")
+        _show(found, runs)
         if table is not None:
-            output.write_table(found.to_table(), table, "--table")
+            output.write_table(assess_tables.whole_table(found), table, "--table")
+        if tables is not None:
+            _write_all(found, runs, tables)
         if figure is not None:
             from hh_exudyn.figures.assessment import assessment_sheet
 
-            output.write_figure(assessment_sheet(f"{folder.name}: {found.vehicle.name}", found), figure)
+            ((name, one),) = found.items()
+            output.write_figure(assessment_sheet(f"{name}: {one.vehicle.name}", one), figure)
 
 
-def _assessed(
-    folder: Path, unit: int, section_length: float | None, unfinished: bool, skip_broken_parts: bool
-) -> "Assessment":
-    """The assessment of the run in a folder; a run that cannot be assessed is bad input."""
-    from hh_exudyn.assessment.report import standard_assessment
+def _opened(folder: Path, skip_broken_parts: bool) -> "Run":
+    """The run in a folder."""
     from hh_exudyn.log.store import open_run
 
     with inputs.refused_as_bad_input():
         run = open_run(folder, skip_broken_parts=skip_broken_parts)
         output.print_left_out(run)
+        return run
+
+
+def _assessed(run: "Run", unit: int, section_length: float | None, unfinished: bool) -> "Assessment":
+    """The assessment of a run; a run that cannot be assessed is bad input."""
+    from hh_exudyn.assessment.report import standard_assessment
+
+    with inputs.refused_as_bad_input():
         return standard_assessment(run, unit, section_length, unfinished)
 
 
-def _show(found: "Assessment", name: str) -> None:
-    """Test sections, the largest values by kind of section, and the sources of their limits."""
-    from hh_exudyn.log.ending import FINISHED
+def _show(found: "dict[str, Assessment]", runs: "Sequence[Run]") -> None:
+    """Every run's sections and largest values, then what they say together."""
+    from hh_exudyn.assessment.coupling_forces import coupling_ranges
+    from hh_exudyn.assessment.statistics import largest, zone_estimates
 
-    early = "" if found.ending == FINISHED else f" (unfinished run: {found.ending})"
-    output.print_table(_section_table(found, name + early))
-    for stretch in found.left_out:
-        output.print_line(f"not assessed: {stretch}")
-    output.print_table(_value_table(found, early))
-    output.print_line(f"f0, the peak of the spectrum of sum Y: {found.instability_frequency:.2f} Hz")
-    output.print_line(
-        "? limit unconfirmed: read neither in the standard nor where it is cited. Limits are from:"
-    )
-    for quantity, limit in found.limits.items():
-        output.print_line(f"  {_SHOWN[quantity][0]}: {limit.source}")
-    if found.beyond:
-        output.print_line(
-            "the axle load is above the 25 t that EN 14363 with EN 15687 goes to: limits are a comparison"
-        )
-    output.print_line("quality of the track of the run: hh-exudyn track plot DIR/case.toml")
+    with inputs.refused_as_bad_input():
+        estimates = largest(zone_estimates(list(found.values())))
+        ranges = [coupling_ranges(run) for run in runs]
+    for name, one in found.items():
+        assess_tables.print_run(name, one)
+    assess_tables.print_estimates(estimates)
+    for (name, one), own in zip(found.items(), ranges, strict=True):
+        assess_tables.print_ride(name, one)
+        assess_tables.print_couplings(name, own)
+    assess_tables.print_sources(next(iter(found.values())))
 
 
-def _section_table(found: "Assessment", name: str) -> Table:
-    """A line per test section."""
-    result = output.new_table(
-        f"Test sections of {name}", ("from [m]", "to [m]", "kind", "radius [m]", "hand")
-    )
-    for section in found.sections:
-        radius = f"{section.radius:.0f}" if section.curved else output.NOTHING
-        result.add_row(
-            f"{section.start:.1f}", f"{section.end:.1f}", section.kind, radius, section.hand or output.NOTHING
-        )
-    return result
+def _write_all(found: "dict[str, Assessment]", runs: "Sequence[Run]", folder: Path) -> None:
+    """All tables of all runs as files."""
+    from hh_exudyn.assessment import coupling_forces, statistics
+    from hh_exudyn.assessment.sections import track_elements
 
-
-def _value_table(found: "Assessment", early: str) -> Table:
-    """A line per kind of section and quantity: its largest value, where, and the limit."""
-    result = output.new_table(
-        f"Largest values by kind of section{early}",
-        ("quantity", "value", "limit", "used\u00a0[%]", "from [m]", "place"),
-    )
-    kind = ""
-    for finding in found.worst():
-        if finding.section.kind != kind:
-            kind = finding.section.kind
-            result.add_row(kind, *[""] * 5)
-        heading, factor, digits = _SHOWN[finding.quantity]
-        limit = finding.limit
-        result.add_row(
-            heading,
-            output.number(factor * finding.value, digits),
-            output.NOTHING
-            if limit is None
-            else output.number(factor * limit.value, digits) + ("" if limit.confirmed else " ?"),
-            output.number(100.0 * finding.share, 0),
-            f"{finding.section.start:.0f}",
-            finding.place,
-        )
-    return result
+    folder.mkdir(parents=True, exist_ok=True)
+    written = {
+        "sections": assess_tables.whole_table(found),
+        "statistics": statistics.to_table(statistics.zone_estimates(list(found.values()))),
+        "ride": assess_tables.ride_table(found),
+    }
+    elements, couplings = {}, {}
+    for name, run in zip(found, runs, strict=True):
+        elements[name] = element_table(element_summaries(run))
+        ranges = coupling_forces.coupling_ranges(run, track_elements(inputs.case_of(run).alignment()))
+        if ranges:
+            couplings[name] = coupling_forces.to_table(ranges)
+    written["elements"] = assess_tables.stacked(elements)
+    if couplings:
+        written["couplings"] = assess_tables.stacked(couplings)
+    for name, table in written.items():
+        output.write_table(table, folder / f"{name}.csv", "--tables")

@@ -73,7 +73,9 @@ def show_comparison(
     if figure is not None:
         from hh_exudyn.figures.comparison import comparison_sheet
 
-        title = f"{len(runs)} runs: largest of all wheels (wear over the run, else means of its last fifth)"
+        title = (
+            f"{len(runs)} runs: largest of all wheels (wear over the run, else mean of an element of track)"
+        )
         bars = {
             f"{one.quantity} [{one.unit}]": [(row[i].value, row[i].wheel) for row in results]
             for i, one in enumerate(results[0])
@@ -99,10 +101,11 @@ def _names(folders: Sequence[Path]) -> list[str]:
 
 def _results(run: "Run", unfinished: bool) -> "list[Extreme]":
     from damage.extremes import extremes
-    from damage.summary import steady_window, wheelset_summary
+    from hh_exudyn.cli.elements import element_summaries
     from hh_exudyn.cli.reports import wear_table
 
-    return extremes(wheelset_summary(run, steady_window(run)), wear_table(run, unfinished))
+    elements = {found.element.start: found.wheelsets for found in element_summaries(run)}
+    return extremes(elements, wear_table(run, unfinished))
 
 
 def _print(names: list[str], differing: dict[str, list[Any]], results: "list[list[Extreme]]") -> None:
@@ -124,7 +127,10 @@ def _print(names: list[str], differing: dict[str, list[Any]], results: "list[lis
     quantities = [f"{one.quantity} [{one.unit}]" for one in results[0]]
     lines = [[number, *(_shown(one) for one in row)] for number, row in zip(numbers, results, strict=True)]
     _print_table("Results, the largest with its wheel", ["run", *quantities], lines)
-    output.print_line("tread wear over the whole run, else means of its last fifth; Y is positive outwards")
+    output.print_line(
+        "tread wear over the whole run, else means over elements of the track: 1R@100m is of wheel 1R on the "
+        "element that begins at 100 m; Y is positive outwards"
+    )
 
 
 _MOST_COLUMNS = 8  # runs that stand beside each other

@@ -73,21 +73,21 @@ def check_patch(
     check_range("--friction", friction, 0.001, 2.0)
 
 
-def require_new_folder(folder: Path) -> None:
-    """Raise `BadInput` for a folder that is not empty, or cannot be made; it is not made."""
+def require_new_folder(folder: Path, option: str = "--out") -> None:
+    """Raise `BadInput` for a folder of an option that is not empty, or cannot be made; it is not made."""
     made: list[Path] = []
     try:
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             kind = "is not empty" if folder.is_dir() else "is a file"
-            raise BadInput(f"--out {folder}: {kind}, allowed is a new or an empty folder")
+            raise BadInput(f"{option} {folder}: {kind}, allowed is a new or an empty folder")
         for path in (*reversed(folder.parents), folder):
             if not path.is_dir():
                 path.mkdir()
                 made.append(path)
         if not os.access(folder, os.W_OK | os.X_OK):
-            raise BadInput(f"--out {folder}: cannot be written to, allowed is a new or an empty folder")
+            raise BadInput(f"{option} {folder}: cannot be written to, allowed is a new or an empty folder")
     except OSError as error:
-        raise BadInput(f"--out {folder}: {error.strerror}") from None
+        raise BadInput(f"{option} {folder}: {error.strerror}") from None
     finally:
         for path in reversed(made):
             with suppress(OSError):  # another process has begun to use it

@@ -16,10 +16,10 @@ from rich.table import Table
 from hh_exudyn.cli import inputs, output
 from hh_exudyn.cli.changes import OtherVehicle, Settings, Variations, changed_case, varied_cases
 from hh_exudyn.cli.damage import show_damage
+from hh_exudyn.cli.elements import element_summaries, print_elements
 from hh_exudyn.cli.matrix import run_matrix
 
 if TYPE_CHECKING:
-    from damage.summary import WheelsetSummary
     from hh_exudyn.case import Case
     from hh_exudyn.log.store import Run
 
@@ -49,7 +49,7 @@ def run(
         bool, typer.Option("--resume", help="Go on with the interrupted run of the case in the folder.")
     ] = False,
 ) -> None:
-    """Simulate a case: logs, recording, and a table of the wheelsets in the last part of the run.
+    """Simulate a case: logs, recording, and tables of the wheels on every element of the track.
 
     With --vary every combination of the values is run, each in a folder of its name, by several processes at
     once; the same command again goes on with what is left.
@@ -62,7 +62,7 @@ def run(
             return
         if not resume:
             inputs.require_new_folder(out_folder)
-        _show_run(_simulated(changed, out_folder, resume))
+        _show_run(simulated(changed, out_folder, resume))
 
 
 def demo(out_folder: inputs.NewFolder) -> None:
@@ -72,7 +72,7 @@ def demo(out_folder: inputs.NewFolder) -> None:
 
         inputs.require_new_folder(out_folder)
         text = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text(encoding="utf-8")
-        finished = _simulated(Case.from_toml(text, source="demo.toml"), out_folder)
+        finished = simulated(Case.from_toml(text, source="demo.toml"), out_folder)
         _show_run(finished)
         show_damage(finished, out_folder / "damage")
 
@@ -100,8 +100,23 @@ def playback(
         output.print_line(f"{recording} is open in the rerun viewer (process {viewer})")
 
 
-def _simulated(case: "Case", folder: Path, resume: bool = False) -> "Run":
-    """The run of a case, with a progress bar; an early end is one line and an exit code."""
+def simulated(case: "Case", folder: Path, resume: bool = False) -> "Run":
+    """The run of a case, with a progress bar; an early end is one line and an exit code.
+
+    Parameters
+    ----------
+    case
+        What is run.
+    folder
+        New folder of the run, or that of the interrupted one.
+    resume
+        Whether to go on with an interrupted run.
+
+    Raises
+    ------
+    BadInput
+        A case or folder with which no run can begin.
+    """
     from hh_exudyn.multibody.equilibrium import NoEquilibrium
     from hh_exudyn.multibody.simulate import SimulationStopped, simulate
 
@@ -122,13 +137,12 @@ def _simulated(case: "Case", folder: Path, resume: bool = False) -> "Run":
 
 def _show_run(run: "Run") -> None:
     """Record the run; print its table and the paths of its files."""
-    from damage.summary import seizure_shares, steady_window, wheelset_summary
+    from damage.summary import seizure_shares
     from hh_exudyn.case import Case
     from hh_exudyn.case.numbers import assumed_summary
 
-    window = steady_window(run)
     _record(run, run.directory / RECORDING)
-    output.print_table(_wheelset_table(wheelset_summary(run, window), window))
+    print_elements(element_summaries(run))
     if run.status.get("watch"):
         output.print_table(_watch_table(run.status["watch"], seizure_shares(run)))
     output.print_line(assumed_summary(Case.from_toml(run.case_text, folder=run.directory)))
@@ -160,31 +174,6 @@ def _record(run: "Run", path: Path) -> None:
     with output.status("recording"):
         record(run, path)
     output.print_line(f"recording: {path}")
-
-
-def _wheelset_table(rows: "list[WheelsetSummary]", window: tuple[float, float]) -> Table:
-    """The summary with units, a line per wheel; numbers of the wheelset are in the line of its left wheel."""
-    table = output.new_table(
-        f"Means from {window[0]:.2f} to {window[1]:.2f} s",
-        ("wheel", "Q [kN]", "Y [kN]", "Y/Q [-]", "angle\u00a0of attack [mrad]", "lateral position [mm]",
-         "p_max [MPa]", "wear number [N]", "FI>0 [%]"),
-    )  # fmt: skip
-    several = len({row.vehicle for row in rows}) > 1
-    for row in rows:
-        unit = f"{row.vehicle}." if several else ""
-        of_wheelset = (output.number(row.angle_of_attack * 1e3, 2), output.number(row.lateral * 1e3, 2))
-        for i, side in enumerate("LR"):
-            table.add_row(
-                f"{unit}{row.wheelset}{side}",
-                output.number(row.Q[i] * 1e-3, 1),
-                output.number(row.Y[i] * 1e-3, 1),
-                output.number(row.y_over_q[i], 3),
-                *(of_wheelset if i == 0 else ("", "")),
-                f"{row.p_max[i] * 1e-6:.0f}",
-                f"{row.wear_number[i]:.0f}",
-                f"{row.fatigue_share[i] * 100:.0f}",
-            )
-    return table
 
 
 def _watch_table(wheels: "list[dict[str, Any]]", seized: "dict[str, float]") -> Table:

@@ -7,7 +7,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hh_exudyn.assessment.report import Assessment, History
+from hh_exudyn.assessment.findings import History
+from hh_exudyn.assessment.report import Assessment
 from hh_exudyn.assessment.sections import STRAIGHT, TRANSITION
 from hh_exudyn.figures.style import SMALL, wheelset_colour
 
@@ -15,14 +16,20 @@ _COURSES = {  # quantity: label, factor, whether the limit holds on both sides
     "sum_y": ("ΣY, 2 m [kN]\nleft +", 1e-3, True),
     "y_over_q": ("Y/Q, 2 m [-]\noutwards +", 1.0, False),
     "q": ("Q [kN]\nbelow 20 Hz", 1e-3, False),
+    "unloading": ("ΔQ/Q0 [-]\nbelow 20 Hz", 1.0, False),
     "body_lateral": ("body lateral\n0.4-10 Hz [m/s²]", 1.0, True),
     "body_vertical": ("body vertical\n0.4-10 Hz [m/s²]", 1.0, True),
 }
 _LABELS = {  # of the quantities that have a limit
     "sum_y": "ΣY",
     "y_over_q": "Y/Q",
+    "y_over_q_nadal": "Y/Q, Nadal",
+    "axle_sum": "Σ|Y/Q|, Weinstock",
+    "unloading": "ΔQ/Q0",
+    "unloading_quasi_static": "ΔQ/Q0 quasi-static",
     "q": "Q",
     "y_quasi_static": "Y quasi-static",
+    "y_quasi_static_reduced": "Y quasi-static, reduced",
     "q_quasi_static": "Q quasi-static",
     "body_lateral": "body lateral",
     "body_vertical": "body vertical",
@@ -48,7 +55,7 @@ def assessment_sheet(title: str, assessment: Assessment) -> Figure:
     """
     shown = [name for name in _COURSES if name in assessment.histories]
     with rc_context(SMALL):
-        heights = [1.0] * len(shown) + [1.9]
+        heights = [1.0] * len(shown) + [2.4]
         figure = Figure(figsize=(9.0, 1.5 * sum(heights)), layout="constrained")
         figure.suptitle(title)
         panels = figure.subplots(len(heights), 1, squeeze=False, height_ratios=heights)[:, 0]
@@ -132,7 +139,7 @@ def _draw_shares(axes: Axes, assessment: Assessment) -> None:
         Line2D([], [], marker="o", linestyle="", color=wheelset_colour(i), label=kind)
         for i, kind in enumerate(kinds)
     ]
-    axes.legend(handles=marks, loc="center")
+    axes.legend(handles=marks, loc="lower right")
 
 
 def _key(assessment: Assessment) -> list[Line2D | Patch]:

@@ -7,6 +7,7 @@
 `layout`     the blueprint: how the viewer arranges a recording
 `send`       the entities of a recording, one function each; scales of forces and patches
 `wheels`     the contact log by wheel: plotted quantities, contact frames
+`couplings`  forces and displacements of logged couplings over time
 `frames`     poses relative to frames that single precision can hold
 `shapes`     vehicle and track as meshes
 `viewer`     shows a recording in a window

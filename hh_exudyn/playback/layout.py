@@ -1,5 +1,7 @@
 """The blueprint: how the viewer arranges a recording."""
 
+from collections.abc import Sequence
+
 import rerun as rr
 import rerun.blueprint as rrb
 
@@ -16,6 +18,7 @@ CONTACT_EYE = (1.476, 1.2, 0.75)  # from the middle of the track below the leadi
 CONTACT_LOOK_AT = (-0.074, 0.5, 0.25)
 FRICTION_SCALE = 24.0  # the 2D view has one scale for both axes: utilised friction is drawn larger
 LARGEST_FRICTION, LARGEST_PRESSURE = 0.6, 12.0
+COUPLING_KINDS = {"force_kN": ("force", 1e-3), "displacement_mm": ("displacement", 1e3)}  # log's name, factor
 
 
 def vehicle_view(vehicle: Vehicle, leader: str) -> rrb.Spatial3DView:
@@ -39,7 +42,9 @@ def vehicle_view(vehicle: Vehicle, leader: str) -> rrb.Spatial3DView:
     )
 
 
-def blueprint(vehicle: Vehicle, leader: str, *, timeline: str = "sim_time") -> rrb.Blueprint:
+def blueprint(
+    vehicle: Vehicle, leader: str, *, timeline: str = "sim_time", couplings: Sequence[str] = ()
+) -> rrb.Blueprint:
     """Vehicle in 3D on the left; time series and shakedown diagram on the right.
 
     Parameters
@@ -50,6 +55,8 @@ def blueprint(vehicle: Vehicle, leader: str, *, timeline: str = "sim_time") -> r
         The body that the moving frame follows.
     timeline
         Initial timeline: ``sim_time`` or ``track_mm``.
+    couplings
+        Names of the couplings whose forces and displacements are in view; without, there are no such views.
     """
     wheelsets = [wheelset.body for wheelset in vehicle.wheelsets]
     hidden = [f"- /world/vehicle/{body.name}/**" for body in vehicle.bodies if body.name not in wheelsets]
@@ -84,6 +91,16 @@ def blueprint(vehicle: Vehicle, leader: str, *, timeline: str = "sim_time") -> r
         )
         for key in QUANTITIES
     ]
+    if couplings:
+        plots += [
+            rrb.TimeSeriesView(
+                origin=f"/couplings/{kind}",
+                contents=[f"+ /couplings/{kind}/{name}/**" for name in couplings],
+                name="coupling " + kind.replace("_", " "),
+                plot_legend=rrb.PlotLegend(visible=True),
+            )
+            for kind in COUPLING_KINDS
+        ]
     diagram = rrb.Spatial2DView(
         origin="/shakedown",
         name="Shakedown diagram",

@@ -3,11 +3,11 @@
 Entities: ``world/track/<piece>/{rails,bed,sleepers}`` (static), ``world/vehicle`` (the moving frame, on
 the centre line below the car body), ``world/vehicle/<body>``, ``world/vehicle/contact/<wheel>/force`` and
 ``.../patch``, ``plots/<quantity>/<wheel>``, ``shakedown/**``. Wheels are named by wheelset and side, "1L"
-the leading left one, with the unit before it for several units, "2.1L". Timelines: ``sim_time`` and
-``track_mm``, the arc length of the leading car body.
+the leading left one, with the unit before it for several units, "2.1L". Logged couplings: `couplings`.
+Timelines: ``sim_time`` and ``track_mm``, the arc length of the leading car body.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,7 +22,9 @@ from hh_exudyn.case import Case
 from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT, RIGHT
+from hh_exudyn.log.parts import part_paths
 from hh_exudyn.log.store import Run
+from hh_exudyn.playback.couplings import CouplingCourse, coupling_courses, most_varying, send_couplings
 from hh_exudyn.playback.frames import Poses, moving_frame, relative
 from hh_exudyn.playback.layout import blueprint
 from hh_exudyn.playback.recording import new_recording
@@ -138,6 +140,7 @@ def record(run: Run, path: Path | str, *, every: int = 1, vehicle: int | None = 
         name=run.directory.name,
         every=every,
         vehicle=vehicle,
+        couplings=run.read("couplings") if part_paths(run.directory, "couplings") else None,
     )
 
 
@@ -150,6 +153,7 @@ def record_tables(
     name: str = "run",
     every: int = 1,
     vehicle: int | None = None,
+    couplings: pyarrow.Table | None = None,
 ) -> Path:
     """As `record`, from motion and contact log as tables, and a scene.
 
@@ -165,12 +169,15 @@ def record_tables(
         Of the recording.
     every, vehicle
         As `record`.
+    couplings
+        The log of couplings; None for a run without.
     """
     target = Path(path)
     target.parent.mkdir(parents=True, exist_ok=True)
-    view = blueprint(scene.vehicle, leading_body(scene.vehicle))
+    courses = [] if couplings is None else _courses(couplings, motion, scene, every)
+    view = blueprint(scene.vehicle, leading_body(scene.vehicle), couplings=most_varying(courses))
     with new_recording(target, name, view) as stream:
-        send(stream, motion, contact, scene, every=every, vehicle=vehicle)
+        send(stream, motion, contact, scene, every=every, vehicle=vehicle, couplings=courses)
     return target
 
 
@@ -182,6 +189,7 @@ def send(
     *,
     every: int = 1,
     vehicle: int | None = None,
+    couplings: Sequence[CouplingCourse] = (),
 ) -> None:
     """Send a run into any recording stream: a file, or a viewer that listens. Errors as `record`.
 
@@ -195,13 +203,10 @@ def send(
         Vehicle, shapes and track.
     every, vehicle
         As `record`.
+    couplings
+        Courses of the logged couplings at the same times.
     """
-    if every < 1:
-        raise ValueError(f"every = {every} must be at least 1")
-    bodies = _bodies(motion, every)
-    leader = leading_body(scene.vehicle)
-    if leader not in bodies:
-        raise ValueError(f"the motion log has no body {leader}; it has {', '.join(bodies)}")
+    bodies, leader = _led_bodies(motion, scene, every)
     times, s = bodies[leader]["time"], bodies[leader]["s"]
     when = clock(times, s)
     frame = moving_frame(scene.alignment, s)
@@ -219,6 +224,7 @@ def send(
             raise ValueError(f"the motion log has body {body} at other times than {leader}")
         send_poses(stream, f"world/vehicle/{body}", when, relative(body_poses(columns), frame))
     _send_wheels(stream, _thinned(contact, times, every), scene, frame, times, s, vehicle)
+    send_couplings(stream, when, couplings)
 
 
 def _send_wheels(
@@ -239,6 +245,27 @@ def _send_wheels(
         send_contact(stream, when, wheel, scene.alignment, rail, frame)
         send_series(stream, when, wheel, scene.shear_yield)
         send_diagram_points(stream, when, wheel, scene.shear_yield)
+
+
+def _led_bodies(
+    motion: pyarrow.Table, scene: Scene, every: int
+) -> tuple[dict[str, dict[str, FloatArray]], str]:
+    """Rows of the motion log by body, and the name of the body that the moving frame follows."""
+    if every < 1:
+        raise ValueError(f"every = {every} must be at least 1")
+    bodies = _bodies(motion, every)
+    leader = leading_body(scene.vehicle)
+    if leader not in bodies:
+        raise ValueError(f"the motion log has no body {leader}; it has {', '.join(bodies)}")
+    return bodies, leader
+
+
+def _courses(
+    couplings: pyarrow.Table, motion: pyarrow.Table, scene: Scene, every: int
+) -> list[CouplingCourse]:
+    """The logged couplings at the output times that are sent."""
+    bodies, leader = _led_bodies(motion, scene, every)
+    return coupling_courses(couplings, bodies[leader]["time"])
 
 
 def _bodies(motion: pyarrow.Table, every: int) -> dict[str, dict[str, FloatArray]]:

@@ -103,8 +103,11 @@ def test_the_output_interval_does_not_matter(known: Assessment, tmp_path: Path) 
     finer = standard_assessment(waves(tmp_path / "run", 0.002))
     for one, other in zip(known.findings, finer.findings, strict=True):
         assert (one.quantity, one.place) == (other.quantity, other.place)
-        tolerance = 0.02 if one.quantity in ("q", "y_over_q") else 0.005  # what is left of 30 Hz differs
-        assert other.value == pytest.approx(one.value, rel=tolerance, abs=2e-3)
+        # what is left of 30 Hz differs: 2 % of Q and of Y/Q, a sum has that of both wheels, an unloading is a
+        # small difference of Q
+        shares = {"q": 0.02, "y_over_q": 0.02, "y_over_q_nadal": 0.02, "axle_sum": 0.04}
+        least = 0.01 if one.quantity.startswith("unloading") else 2e-3
+        assert other.value == pytest.approx(one.value, rel=shares.get(one.quantity, 0.005), abs=least)
 
 
 def test_limits_and_table(known: Assessment) -> None:

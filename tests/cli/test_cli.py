@@ -166,7 +166,7 @@ def test_run_prints_recording_and_table(done: tuple[Path, subprocess.CompletedPr
     assert "…" not in result.stdout  # nothing cut off
     assert max(map(len, result.stdout.splitlines()[1:])) <= 80
     means, watch = result.stdout.split("Watch over the whole run")
-    rows = re.findall(r"^ +([1-4][LR]) +(\d+\.\d) ", means, flags=re.MULTILINE)
+    rows = re.findall(r"^(?: straight| 0 to 30 m)? +([1-4][LR]) +(\d+\.\d) ", means, flags=re.MULTILINE)
     assert [wheel for wheel, _ in rows] == [f"{w}{side}" for w in "1234" for side in "LR"]
     # 30 t axle load on straight track: 8 wheels carry 4 * 30 t * 9.81 m/s2 = 1177 kN in the mean
     assert sum(float(force) for _, force in rows) == pytest.approx(1177, rel=0.01)

@@ -66,7 +66,7 @@ def test_sigterm_is_143_and_resume_ends_the_run(case: Path, done: Path, tmp_path
     assert content(out) == content(done)
     whole = command("run", case, "--out", out, "--resume")  # finished already: its table again
     assert whole.returncode == 0
-    assert "Means from" in whole.stdout
+    assert "Forces by element of the track" in whole.stdout
 
 
 def test_resume_of_another_case_is_bad_input(done: Path, tmp_path: Path) -> None:

@@ -19,7 +19,7 @@ def test_sheet(tmp_path: Path) -> None:
     )
     found = standard_assessment(run)
     figure = assessment_sheet("a title", found)
-    sum_y, y_over_q, q, lateral, vertical, shares = figure.axes
+    sum_y, y_over_q, q, unloading, lateral, vertical, shares = figure.axes
     history = found.histories["q"]
     assert q.lines[2].get_ydata() == pytest.approx(
         1e-3 * history.values[:, 0]
@@ -31,12 +31,16 @@ def test_sheet(tmp_path: Path) -> None:
     for axes, text in (
         (sum_y, "limit ±91.9, unconfirmed: off this panel"),
         (y_over_q, "limit 0.8: off this panel"),
+        (unloading, "limit 0.9, unconfirmed: off this panel"),
         (lateral, "limit ±3, unconfirmed: off this panel"),
         (vertical, "limit ±5, unconfirmed: off this panel"),
     ):
         assert [one.get_text() for one in axes.texts] == [text]
     rows = [label.get_text() for label in shares.get_yticklabels()]
-    assert rows == ["ΣY", "Y/Q", "Q", "body lateral", "body vertical", "ΣY, f0 ± 2 Hz, rms"]
+    assert rows == [
+        "ΣY", "Y/Q", "Y/Q, Nadal", "Σ|Y/Q|, Weinstock", "ΔQ/Q0", "ΔQ/Q0 quasi-static", "Q", "body lateral",
+        "body vertical", "ΣY, f0 ± 2 Hz, rms",
+    ]  # fmt: skip
     drawn = shares.lines[rows.index("Q")]
     expected = [100.0 * one.share for one in found.findings if one.quantity == "q"]
     assert drawn.get_xdata() == pytest.approx(expected)

@@ -13,7 +13,9 @@ from scipy.spatial.transform import Rotation
 
 from damage.rcf.surface_index import surface_fatigue_index
 from hh_exudyn.case import Case
+from hh_exudyn.log.channels import COUPLINGS
 from hh_exudyn.log.store import open_run, write_case
+from hh_exudyn.playback.couplings import coupling_courses, most_varying
 from hh_exudyn.playback.frames import track_frames
 from hh_exudyn.playback.run import record, record_tables
 from hh_exudyn.playback.wheels import contact_frames, series, wheel_rows
@@ -222,3 +224,24 @@ def test_bad_input_is_named(short: Any, tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="no rows"):
         record_tables(short.motion.slice(0, 0), short.contact, short.scene, path)
     assert list(tmp_path.iterdir()) == []  # nothing half done is left
+
+
+def test_couplings_are_sent_and_the_most_varying_ones_are_in_view(short: Any, tmp_path: Path) -> None:
+    """Four springs whose forces swing by 1, 4, 2 and 3 kN: all curves are there, three of them in view."""
+    count = len(short.times)
+    wave = np.sin(np.linspace(0.0, 6.0, count))
+    columns = {column.name: np.zeros(4 * count) for column in COUPLINGS if column.kind == "float64"}
+    columns["time"] = np.repeat(short.times, 4)
+    for i, size in enumerate((1e3, 4e3, 2e3, 3e3)):
+        columns["force_z"][i::4], columns["displacement_x"][i::4] = size * wave, 2e-3 * wave
+    log = pyarrow.table({**columns, "coupling": [f"spring_{i}" for i in range(4)] * count})
+    path = tmp_path / "couplings.rrd"
+    stored = Recording(record_tables(short.motion, short.contact, short.scene, path, couplings=log))
+    _, force = stored.column("couplings/force_kN/spring_1/z", "Scalars:scalars")
+    assert np.ravel(force) == pytest.approx(4.0 * wave)
+    _, moved = stored.column("couplings/displacement_mm/spring_0/x", "Scalars:scalars")
+    assert np.ravel(moved) == pytest.approx(2.0 * wave)
+    courses = coupling_courses(log, short.times)
+    assert most_varying(courses) == ["spring_1", "spring_2", "spring_3"]
+    with pytest.raises(ValueError, match=r"has spring_0 at \d+ of the \d+ times"):
+        coupling_courses(log.slice(4), short.times)
