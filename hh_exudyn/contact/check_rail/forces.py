@@ -60,9 +60,7 @@ def check_rail_forces(
                 continue
             along = model.rails_left if index == 0 else model.rails_right
             back = _back(check, model, wheelsets, rails, i, index)
-            count = overlapping_slices(
-                check, back, s, gauge_point_at(along, s), rails.turn[i, 2], state
-            )
+            count = overlapping_slices(check, back, s, gauge_point_at(along, s), rails.turn[i, 2], state)
             if count == 0:
                 continue
             guess[:] = 0.0
@@ -141,9 +139,7 @@ def _add(
     side = 1.0 - 2.0 * index
     for j in range(count):
         if rows[Row.LOAD, j] > 0.0:
-            _add_slice(
-                j, side, speed, check.friction, model.damping, modulus, state, vectors, record
-            )
+            _add_slice(j, side, speed, check.friction, model.damping, modulus, state, vectors, record)
     if not record[BackContact.NORMAL_FORCE] > 0.0:
         record[:] = 0.0
         return
@@ -172,7 +168,7 @@ def _add_slice(
     vectors: FloatArray,
     record: FloatArray,
 ) -> None:
-    """Add one slice to the force and the moment of `vectors` (velocity, spin, force, moment) and the record."""
+    """Add one slice to `vectors` (velocity, spin, force, moment; the latter two) and to the record."""
     rows = shaped(state, (ROWS, CAPACITY))
     velocity, spin, force, moment = vectors[0], vectors[1], vectors[2], vectors[3]
     px, py, pz = rows[Row.X, j], rows[Row.Y, j], rows[Row.Z, j]

@@ -76,7 +76,9 @@ class CheckRail:
             if side not in (LEFT, RIGHT):
                 raise ValueError(f"side = {side}, allowed {LEFT} (left) or {RIGHT} (right)")
             if not start < end:
-                raise ValueError(f"a check rail from s = {start:g} to {end:g} m, allowed is one that ends later")
+                raise ValueError(
+                    f"a check rail from s = {start:g} to {end:g} m, allowed is one that ends later"
+                )
 
 
 class CheckRailTable(NamedTuple):
