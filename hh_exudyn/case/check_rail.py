@@ -7,7 +7,7 @@
     flangeway_mm = 44
 """
 
-from typing import TYPE_CHECKING, Literal, Self
+from typing import Literal, Self
 
 import numpy as np
 from pydantic import model_validator
@@ -16,13 +16,10 @@ from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case.errors import CaseError
 from hh_exudyn.case.fields import CaseTable, number
 from hh_exudyn.contact.check_rail.table import CheckRail, CheckRailTable, check_rail_table, no_check_rail
+from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.profiles.measures import flange_thickness
 from hh_exudyn.conventions import LEFT, RIGHT
 from track.course.alignment import Alignment, track_frame
-from vehicles.description import Vehicle
-
-if TYPE_CHECKING:
-    from hh_exudyn.case.case import Case
 
 _STEP = 0.5  # m, of the search for tight curves
 _LEAST_PLAY = 1e-3  # m, of a wheel between running rail and check rail
@@ -126,30 +123,37 @@ def _runs(s: FloatArray, inside: "np.ndarray") -> list[tuple[float, float]]:
     return [(float(s[i]), float(s[j - 1])) for i, j in zip(first, end, strict=True) if j - i > 1]
 
 
-def check_rails(case: "Case", vehicle: Vehicle, alignment: Alignment) -> CheckRailTable:
-    """The check rails of a case for the wheels of a vehicle.
+def check_rails(
+    given: CheckRailCase | None,
+    alignment: Alignment,
+    wheels: list[tuple[Profile, Profile]],
+    back_to_back: float,
+    radius: float,
+) -> CheckRailTable:
+    """The check rails of a track for the wheels of a vehicle.
 
     Parameters
     ----------
-    case : Case
-        Track, wheel profiles and distance of the flange backs.
-    vehicle : Vehicle
-        Its wheelsets, of one radius.
+    given : CheckRailCase or None
+        None for a track without.
     alignment : Alignment
-        Of the case.
+        Of the track.
+    wheels : list of (Profile, Profile)
+        Left and right wheel of every wheelset.
+    back_to_back : float
+        Distance of the flange backs [m].
+    radius : float
+        Of the wheels at the running circle [m].
 
     Raises
     ------
     CaseError
-        A flangeway through which a flange does not pass, or two check rails further apart than the backs.
+        A flangeway through which a flange does not pass, two check rails further apart than the backs, or no
+        curve that is tight enough.
     """
-    given = case.track.check_rail
     if given is None:
         return no_check_rail()
     check = given.described(alignment)
-    number_of = len(vehicle.wheelsets)
-    same = [(case.wheel, case.wheel)] * number_of
-    wheels = same if case.wheel_profiles is None else list(case.wheels(number_of))
     thickest = max(flange_thickness(wheel) for pair in wheels for wheel in pair)
     key = f"track.check_rail.flangeway_mm = {given.flangeway_mm:g} mm"
     if check.flangeway < thickest + _LEAST_PLAY:
@@ -160,10 +164,10 @@ def check_rails(case: "Case", vehicle: Vehicle, alignment: Alignment) -> CheckRa
     if given.side == "both":
         for _, start, end in check.stretches:
             gauge = max(track_frame(alignment.table, s)[6] for s in np.linspace(start, end, 20))
-            least = 0.5 * (gauge - case.back_to_back)
+            least = 0.5 * (gauge - back_to_back)
             if check.flangeway < least:
                 raise CaseError(
                     f"{key}: allowed {1e3 * least:.1f} mm and more with check rails on both sides, at a "
-                    f"gauge of {1e3 * gauge:.1f} mm and flange backs {1e3 * case.back_to_back:.1f} mm apart"
+                    f"gauge of {1e3 * gauge:.1f} mm and flange backs {1e3 * back_to_back:.1f} mm apart"
                 )
-    return check_rail_table(check, wheels, case.back_to_back, vehicle.wheelsets[0].radius)
+    return check_rail_table(check, wheels, back_to_back, radius)

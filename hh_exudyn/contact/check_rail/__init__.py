@@ -18,7 +18,7 @@ length sqrt(2 R d) with the depth d of the flange tip below it - 0.18 m for 35 m
 leading end where the wheelset runs against the curve. With a check rail 20 mm above the running rail and 10
 mrad the wheelset is stopped 1.3 mm earlier than a straight one, by a force 0.135 m ahead of the axle.
 
-**Overlap.** The face is cut into slices along the rail, some 3 mm each. A point p of the face lies inside the
+**Overlap.** The face is cut into slices along the rail, some 2.5 mm each. A point p of the face lies inside the
 wheel by
 
     d = (p - c).l - t - recess(r),   r^2 = |p - c|^2 - ((p - c).l)^2,                                    (1)
@@ -33,9 +33,9 @@ the chord (an angle of attack) to all of it (none). Check rail, fastening and wh
 the half-spaces: their compliance is added to every influence.
 
 **Friction.** The back slides: by its height over the running rail 1 to 2 % along the rail, and where it
-touches ahead of the axle with x/R = 30 % of the speed downwards. Adhesion ends at some 0.5 %. So friction is Coulomb's,
-against the slip of each slice, and loses its direction only below a creepage of 0.2 %. Ahead of the axle it
-lifts the wheel, which unloads its running rail, and turns the wheelset.
+touches ahead of the axle with x/R = 30 % of the speed downwards. Adhesion ends at some 0.5 %. So friction is
+Coulomb's, against the slip of each slice, and loses its direction only below a creepage of 0.2 %. Ahead of
+the axle it lifts the wheel, which unloads its running rail, and turns the wheelset.
 
 **Limits.** The check rail moves with its running rail and loads the track where that does; its twist is left
 out. The back is the standard one on every profile (it hardly wears), at the height of the profile's own
