@@ -18,8 +18,8 @@ length sqrt(2 R d) with the depth d of the flange tip below it - 0.18 m for 35 m
 leading end where the wheelset runs against the curve. With a check rail 20 mm above the running rail and 10
 mrad the wheelset is stopped 1.3 mm earlier than a straight one, by a force 0.135 m ahead of the axle.
 
-**Overlap.** The face is cut into slices along the rail, some 2.5 mm each. A point p of the face lies inside the
-wheel by
+**Overlap.** The face is cut into slices along the rail, some 2.5 mm each. A point p of the face lies inside
+the wheel by
 
     d = (p - c).l - t - recess(r),   r^2 = |p - c|^2 - ((p - c).l)^2,                                    (1)
 
