@@ -175,7 +175,25 @@ def show_damage(
         )
     if report.bad_rows.faults:
         output.print_line(f"left out: {report.bad_rows}")
+    if backs := check_rail_rows(run):
+        output.print_line(
+            f"left out: {backs} rows of flange backs on check rails, whose damage is not computed"
+        )
     output.print_line(f"damage: {folder} ({', '.join([*tables, *figures, SETTINGS_FILE])})")
+
+
+def check_rail_rows(run: "Run") -> int:
+    """Rows of a run's check-rail log; 0 of one without.
+
+    Parameters
+    ----------
+    run
+        The run.
+    """
+    try:
+        return int(run.read("check_rail", ["time"]).num_rows)
+    except FileNotFoundError:
+        return 0
 
 
 def _early(report: "DamageReport") -> str:
