@@ -19,8 +19,11 @@ from hh_exudyn.contact.check_rail.table import CheckRail, CheckRailTable, check_
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.profiles.measures import flange_thickness
 from hh_exudyn.conventions import LEFT, RIGHT
+from hh_exudyn.sourced import load_parameters
 from track.course.alignment import Alignment, track_frame
 
+CHECK_RAIL_NUMBERS = load_parameters("track", "check_rail")  # the defaults, with their sources
+_DEFAULT = CHECK_RAIL_NUMBERS.table("check_rail").values()
 _STEP = 0.5  # m, of the search for tight curves
 _LEAST_PLAY = 1e-3  # m, of a wheel between running rail and check rail
 _MIRRORED = {"left": "right", "right": "left"}
@@ -32,11 +35,9 @@ class CheckRailCase(CaseTable):
     `side` "inner" is that of the low rail; the others do not depend on the hand of a curve. `flangeway_mm` is
     the distance of the faces of running rail and check rail (Indian Railways, Permanent Way Manual: 44 mm and
     more in sharp curves of broad gauge, 41 mm of metre gauge), `height_mm` that of the check rail's top above
-    the running rail's (0 for a rail of the same section, more for 33C1 of EN 13674-3 on chairs of its own;
-    assumed 20, 0 to 60), `corner_mm` the radius of its top corner (assumed 13, as of a rail head; 5 to 20).
-    Beyond the stretch it flares out over `flare_m` by `flare_mm` (assumed, 1 to 5 m and 30 to 45 mm).
-    `friction` is that of the flange back (assumed, 0.1 greased to 0.5 dry), `stiffness_MN_per_m` the lateral
-    one of check rail, fastening and wheel disc at a wheel (assumed, 30 to 300).
+    the running rail's, `corner_mm` the radius of its top corner. Beyond the stretch it flares out over
+    `flare_m` by `flare_mm`. `friction` is that of the flange back, `stiffness_MN_per_m` the lateral one of
+    check rail, fastening and wheel disc at a wheel. The defaults are assumed: `track/data/check_rail.toml`.
     """
 
     flangeway_mm: float = number("mm", 25, 120)
@@ -44,12 +45,12 @@ class CheckRailCase(CaseTable):
     below_radius_m: float | None = number("m", 20, 5000, None)
     from_m: float | None = number("m", 0, 200000, None)
     to_m: float | None = number("m", 0, 200000, None)
-    height_mm: float = number("mm", -15, 80, 20.0)
-    corner_mm: float = number("mm", 3, 30, 13.0)
-    flare_m: float = number("m", 0.2, 20, 3.0)
-    flare_mm: float = number("mm", 2, 100, 40.0)
-    friction: float = number("-", 0, 1, 0.3)
-    stiffness_MN_per_m: float = number("MN/m", 5, 5000, 100.0)
+    height_mm: float = number("mm", -15, 80, _DEFAULT["height"])
+    corner_mm: float = number("mm", 3, 30, _DEFAULT["corner"])
+    flare_m: float = number("m", 0.2, 20, _DEFAULT["flare_length"])
+    flare_mm: float = number("mm", 2, 100, _DEFAULT["flare_opening"])
+    friction: float = number("-", 0, 1, _DEFAULT["friction"])
+    stiffness_MN_per_m: float = number("MN/m", 5, 5000, _DEFAULT["stiffness"])
 
     @model_validator(mode="after")
     def _check_place(self) -> Self:

@@ -1,10 +1,11 @@
 """The table ``[track.check_rail]``: where check rails stand, and what is refused."""
 
+from importlib.resources import files
 from typing import Any
 
 import pytest
 
-from hh_exudyn.case import CaseError, CheckRailCase
+from hh_exudyn.case import Case, CaseError, CheckRailCase
 from hh_exudyn.case.check_rail import check_rails
 from hh_exudyn.contact.profile import wheel_profile
 from hh_exudyn.conventions import LEFT, RIGHT
@@ -80,3 +81,13 @@ def test_a_check_rail_that_stands_nowhere_or_in_the_way_is_refused(
     with pytest.raises(CaseError, match=f"track.check_rail.*{message}"):
         check_rails(given(**changes), RIGHT_THEN_LEFT, [(S1002, S1002)], 1.360, 0.46)
     assert check_rails(None, RIGHT_THEN_LEFT, [(S1002, S1002)], 1.360, 0.46).stretches.size == 0
+
+
+def test_a_case_with_check_rails_is_written_and_read_again() -> None:
+    text = (files("hh_exudyn") / "data" / "demo.toml").read_text(encoding="utf-8")
+    case = Case.from_toml(text).with_changes(
+        track={"check_rail": {"flangeway_mm": 44.0, "side": "left", "from_m": 60.0, "to_m": 200.0}}
+    )
+    assert Case.from_toml(case.to_toml()) == case
+    assert case.mirrored().track.check_rail.side == "right"
+    assert Case.from_toml(text).to_toml().count("check_rail") == 0

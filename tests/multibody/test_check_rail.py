@@ -20,8 +20,8 @@ STEADY = (80.0, 94.0)  # m, of every wheelset: the curve begins at 65 m
 pytestmark = pytest.mark.slow
 
 
-def run(folder: Path, step_ms: float = 0.4, **track: Any) -> Run:
-    case = Case(
+def case_of(step_ms: float = 0.4, **track: Any) -> Case:
+    return Case(
         name="check rail",
         vehicle="iore_wagon_loaded",
         speed_km_h=SPEED_KM_H,
@@ -46,7 +46,10 @@ def run(folder: Path, step_ms: float = 0.4, **track: Any) -> Run:
         contact={"cells": (20, 16)},
         integration={"step_ms": step_ms, "output_interval_ms": 4.0},
     )
-    return simulate(case, folder)
+
+
+def run(folder: Path, step_ms: float = 0.4, **track: Any) -> Run:
+    return simulate(case_of(step_ms, **track), folder)
 
 
 CHECK = {"flangeway_mm": 1e3 * FLANGEWAY, "below_radius_m": 300.0}
@@ -76,21 +79,25 @@ def test_the_outer_flange_leaves_its_rail(checked: Run, bare: Run) -> None:
         guided = wheel(bare, "wheels", wheelset, -1)["Y"].mean()
         free = wheel(checked, "wheels", wheelset, -1)["Y"].mean()
         assert guided > 30e3 > 0.0 > free
-        assert np.degrees(wheel(bare, "contact", wheelset, -1)["contact_angle"]).max() > 40.0
-        assert np.degrees(wheel(checked, "contact", wheelset, -1)["contact_angle"]).max() < 25.0
+        assert np.degrees(wheel(bare, "contact", wheelset, -1)["contact_angle"]).max() > 30.0
+        assert np.degrees(wheel(checked, "contact", wheelset, -1)["contact_angle"]).max() < 5.0
 
 
 def test_the_inner_wheel_stops_at_its_check_rail(checked: Run) -> None:
-    """By hand: back at 680 mm, face at 720 - 41 mm; the leading end of the chord reaches |yaw| x further."""
+    """By hand: back at 680 mm, face at 720 - 41 mm; the leading end of the chord reaches |yaw| x further.
+
+    The wheel's own middle is 680 mm times the yaw ahead of the wheelset's: there its rim is less deep.
+    """
     for wheelset in (1, 3):
         state, back = wheel(checked, "wheels", wheelset, 1), wheel(checked, "check_rail", wheelset, 1)
         x, height = back["x_shift"].mean(), back["height"].mean()
-        straight = 0.5 * GAUGE - FLANGEWAY - 0.5 * BACK_TO_BACK
-        beyond = np.hypot(x, R0 - height) - R0 - 9.519e-3  # of the end of the back's plane
+        yaw, half = -state["angle_of_attack"].mean(), 0.5 * BACK_TO_BACK
+        straight = 0.5 * GAUGE - FLANGEWAY - half / np.cos(yaw)
+        beyond = np.hypot(x - half * yaw, R0 - height) - R0 - 9.519e-3  # of the end of the back's plane
         recess = 20.5e-3 - np.sqrt(20.5e-3**2 - max(beyond, 0.0) ** 2)
-        reach = -state["angle_of_attack"].mean() * x - recess - 0.5 * x**2 / RADIUS
+        reach = yaw * x - recess + 0.5 * x**2 / RADIUS  # the rail bends towards the wheel
         place = straight + reach - back["overlap"].mean()
-        assert state["y_wheelset"].mean() == pytest.approx(place, abs=0.15e-3)
+        assert state["y_wheelset"].mean() == pytest.approx(place, abs=0.05e-3)
         # the overlap is mostly the yielding of what carries the check rail, 100 MN/m
         assert back["overlap"].mean() == pytest.approx(back["normal_force"].mean() / 100e6, rel=0.25)
 
@@ -135,7 +142,7 @@ def test_it_does_not_chatter_and_half_the_step_changes_nothing(checked: Run, tmp
 
 
 def test_mirrored_it_is_mirrored(checked: Run, tmp_path: Path) -> None:
-    other = simulate(Case.from_toml(checked.case_text).mirrored(), tmp_path / "mirrored")
+    other = simulate(case_of(check_rail=CHECK).mirrored(), tmp_path / "mirrored")
     one, image = wheel(checked, "check_rail", 1, 1), wheel(other, "check_rail", 1, -1)
     assert image["normal_force"].mean() == pytest.approx(one["normal_force"].mean(), rel=1e-6)
     assert image["force_y"].mean() == pytest.approx(-one["force_y"].mean(), rel=1e-6)
