@@ -83,6 +83,17 @@ def test_the_outer_flange_leaves_its_rail(checked: Run, bare: Run) -> None:
         assert np.degrees(wheel(checked, "contact", wheelset, -1)["contact_angle"]).max() < 5.0
 
 
+def test_a_wider_flangeway_shares_the_guiding(bare: Run, tmp_path: Path) -> None:
+    """At 50 mm flange and flange back touch at once, steadily, and together guide as the flange does alone."""
+    shared = run(tmp_path / "shared", check_rail=CHECK | {"flangeway_mm": 50.0})
+    for wheelset in (1, 3):
+        alone, outer = (wheel(of, "wheels", wheelset, -1)["Y"] for of in (bare, shared))
+        back = wheel(shared, "check_rail", wheelset, 1)["force_y"]
+        assert 10e3 < outer.mean() < alone.mean() - 20e3
+        assert outer.mean() + back.mean() == pytest.approx(alone.mean(), rel=0.1)
+        assert max(outer.std(), back.std()) < 3e3
+
+
 def test_the_inner_wheel_stops_at_its_check_rail(checked: Run) -> None:
     """By hand: back at 680 mm, face at 720 - 41 mm; the leading end of the chord reaches |yaw| x further.
 
