@@ -10,6 +10,7 @@
 `validate`     the toolkit beside numbers from outside
 `creep_curve`  creep force over creepage by every theory
 `damage`       wear and fatigue of a run
+`check_rails`  forces of check rails on flange backs
 `reports`      damage reports of a run, one for the wheels of each profile
 `evaluation`   folder and settings of a damage evaluation
 `assess`       assessment of a run after UIC 518 / EN 14363

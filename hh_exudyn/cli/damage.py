@@ -11,6 +11,7 @@ import typer
 from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
+from hh_exudyn.cli.check_rails import check_rail_rows
 from hh_exudyn.cli.evaluation import (
     SETTINGS_FILE,
     chosen_folder,
@@ -180,20 +181,6 @@ def show_damage(
             f"left out: {backs} rows of flange backs on check rails, whose damage is not computed"
         )
     output.print_line(f"damage: {folder} ({', '.join([*tables, *figures, SETTINGS_FILE])})")
-
-
-def check_rail_rows(run: "Run") -> int:
-    """Rows of a run's check-rail log; 0 of one without.
-
-    Parameters
-    ----------
-    run
-        The run.
-    """
-    try:
-        return int(run.read("check_rail", ["time"]).num_rows)
-    except FileNotFoundError:
-        return 0
 
 
 def _early(report: "DamageReport") -> str:

@@ -84,7 +84,7 @@ def test_the_outer_flange_leaves_its_rail(checked: Run, bare: Run) -> None:
 
 
 def test_a_wider_flangeway_shares_the_guiding(bare: Run, tmp_path: Path) -> None:
-    """At 50 mm flange and flange back touch at once, steadily, and together guide as the flange does alone."""
+    """At 50 mm flange and flange back touch at once, steadily, and guide as the flange alone does."""
     shared = run(tmp_path / "shared", check_rail=CHECK | {"flangeway_mm": 50.0})
     for wheelset in (1, 3):
         alone, outer = (wheel(of, "wheels", wheelset, -1)["Y"] for of in (bare, shared))
