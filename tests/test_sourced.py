@@ -92,6 +92,8 @@ def test_the_numbers_behind_a_case() -> None:
     } < names
     assert "concrete.sleeper_mass" not in names  # the wooden one's own counts
     assert "wooden.factor.subgrade_stiffness_vertical" in names
+    check = base.with_changes(track={"check_rail": {"flangeway_mm": 44.0, "below_radius_m": 500.0}})
+    assert case_numbers(check)[len(wagon) :] == load_parameters("track", "check_rail").parameters
     rough = base.with_changes(track={"irregularity": "erri_low"})
     assert len(case_numbers(rough)) == len(wagon) + 9
     weather = base.with_changes(friction={"climate": "dry", "treatments": ["top_of_rail"]})

@@ -7,6 +7,7 @@
 `alignment`    sections, grades, files of the alignment
 `irregular`    a track with its irregularities within the limits of sections
 `rails`        rail profiles by name or file
+`check_rail`   check rails in tight curves, or along a stretch
 `friction`     the table of friction: zones, climate, treatment, sections
 `vehicle`      a vehicle by name, or with some numbers changed
 `traction`     drives and steering of a vehicle that drives itself
@@ -33,6 +34,7 @@ from hh_exudyn.case.alignment import (
     TransitionCase,
 )
 from hh_exudyn.case.case import Case, read_case
+from hh_exudyn.case.check_rail import CheckRailCase
 from hh_exudyn.case.contact import ContactCase, IntegrationCase
 from hh_exudyn.case.errors import CaseError
 from hh_exudyn.case.friction import FrictionCase, FrictionSectionCase, SurfaceCase
@@ -46,6 +48,7 @@ __all__ = [
     "Case",
     "CaseError",
     "CentreLineCase",
+    "CheckRailCase",
     "ContactCase",
     "CurveCase",
     "FrictionCase",

@@ -1,6 +1,7 @@
-"""The sourced numbers behind a case: of its vehicle, track, irregularities and friction."""
+"""The sourced numbers behind a case: of its vehicle, track, check rails, irregularities, friction."""
 
 from hh_exudyn.case.case import Case
+from hh_exudyn.case.check_rail import CHECK_RAIL_NUMBERS
 from hh_exudyn.case.friction import FrictionCase, SurfaceCase
 from hh_exudyn.case.track import RIGID
 from hh_exudyn.case.vehicle import variant_behind
@@ -24,6 +25,8 @@ def case_numbers(case: Case) -> tuple[Parameter, ...]:
         found += sleeper_track_numbers(case.track.flexibility)
     if case.track.irregularity in spectrum_names():
         found += spectrum(case.track.irregularity).numbers.parameters
+    if case.track.check_rail is not None:
+        found += CHECK_RAIL_NUMBERS.parameters
     if isinstance(case.friction, FrictionCase):
         found += _friction(case.friction)
     return tuple(found)

@@ -15,6 +15,7 @@ from hh_exudyn.case.alignment import (
     SectionCase,
     with_nominal_gauge,
 )
+from hh_exudyn.case.check_rail import CheckRailCase
 from hh_exudyn.case.fields import CaseTable, is_path, number
 from hh_exudyn.case.rails import RailName, sided
 from hh_exudyn.contact.geometry.rail_tables import CHANGE_LENGTH, RailCourse
@@ -57,7 +58,8 @@ class TrackCase(CaseTable):
     `irregularity` is ``"none"``, a spectrum (`track.irregularity.spectra.spectrum_names`) for a
     random track by `irregularity_seed` with wavelengths from `irregularity_shortest_m` to 70 m, or a
     measured file (`track.irregularity.irregularity_csv`). It begins ahead of the vehicle, faded in over 50
-    m. Without `sleeper_passing` flexible track has constant stiffness along the track.
+    m. Without `sleeper_passing` flexible track has constant stiffness along the track. `check_rail` sets
+    check rails beside the running rails (`hh_exudyn.case.check_rail`).
     """
 
     rail: RailName = "60E1"
@@ -83,6 +85,7 @@ class TrackCase(CaseTable):
     alignment: str | None = Field(default=None, min_length=1, json_schema_extra={"allowed": "a file (.csv)"})
     centre_line: CentreLineCase | None = None
     alignment_mirrored: bool = False
+    check_rail: CheckRailCase | None = None
 
     @field_validator("sections", "centre_line")
     @classmethod
@@ -203,6 +206,7 @@ class TrackCase(CaseTable):
             "irregularity_mirrored": not self.irregularity_mirrored,
             "rail_left": self.rail_right,
             "rail_right": self.rail_left,
+            "check_rail": None if self.check_rail is None else self.check_rail.mirrored(),
         }
         if self.sections is None:
             changes["alignment_mirrored"] = not self.alignment_mirrored

@@ -11,6 +11,7 @@ import typer
 from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
+from hh_exudyn.cli.check_rails import check_rail_rows
 from hh_exudyn.cli.evaluation import (
     SETTINGS_FILE,
     chosen_folder,
@@ -175,6 +176,10 @@ def show_damage(
         )
     if report.bad_rows.faults:
         output.print_line(f"left out: {report.bad_rows}")
+    if backs := check_rail_rows(run):
+        output.print_line(
+            f"left out: {backs} rows of flange backs on check rails, whose damage is not computed"
+        )
     output.print_line(f"damage: {folder} ({', '.join([*tables, *figures, SETTINGS_FILE])})")
 
 

@@ -15,6 +15,7 @@ from rich.table import Table
 
 from hh_exudyn.cli import inputs, output
 from hh_exudyn.cli.changes import OtherVehicle, Settings, Variations, changed_case, varied_cases
+from hh_exudyn.cli.check_rails import largest_forces
 from hh_exudyn.cli.damage import show_damage
 from hh_exudyn.cli.elements import element_summaries, print_elements
 from hh_exudyn.cli.matrix import run_matrix
@@ -145,6 +146,8 @@ def _show_run(run: "Run") -> None:
     print_elements(element_summaries(run))
     if run.status.get("watch"):
         output.print_table(_watch_table(run.status["watch"], seizure_shares(run)))
+    if forces := largest_forces(run):
+        output.print_line(forces)
     output.print_line(assumed_summary(Case.from_toml(run.case_text, folder=run.directory)))
     if (resistance := run.status.get("curve_resistance_of_train")) is not None:
         output.print_line(f"curve resistance of the wagons behind: {resistance}")

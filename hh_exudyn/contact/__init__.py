@@ -9,6 +9,7 @@ Folders, in the order of the computation; each has a map of its own.
 `strips`            coupled strips: normal contact and creep forces of a whole wheel, a run's default
 `tangential`        creep forces and tractions by all theories
 `halfspace`         the exact solution: half-spaces, pressure, rolling, stresses below
+`check_rail`        the back of a flange on a check rail
 ==================  =================================================================================
 
 Their composition.

@@ -5,7 +5,9 @@ patches, so that means over rows are biased. Wheels log: one row per output time
 Motion log: one row per output time and body. Energy ledger: one row per output time. Control log: one row per
 sample of the controllers and driven wheelset; a run without controllers has none. Couplings log: one row per
 output time and coupling that the case names (``integration.logged_couplings``). Sensors log: one row per
-output time and component of each of Exudyn's sensors that an extension has named. SI units throughout;
+output time and component of each of Exudyn's sensors that an extension has named. Check-rail log: one row per
+output time and wheel whose flange back touches a check rail; this force is in Q and Y of the wheel too, as in
+what a measuring wheelset shows, but in no patch of the contact log. SI units throughout;
 contact quantities in frame C, forces on the wheel (see `hh_exudyn.conventions`).
 
 A column of source `PATCH` is copied from the kernel's record of a contact patch, out of the member of
@@ -26,6 +28,7 @@ VEHICLE = "vehicle"  # of all bodies together
 LEDGER = "ledger"  # copied from the ledger of powers
 CONTROLLER = "controller"  # of drivers and actuators
 COUPLING = "coupling"  # between two bodies
+BACK = "back"  # copied from the record of a flange back on a check rail
 SENSOR = "sensor"  # of Exudyn, added by an extension
 
 
@@ -131,6 +134,20 @@ WHEELS = tuple(
     column for column in CONTACT if column.source in (TIME, WHEELSET, WHEEL) and column.name != "patch"
 )
 
+CHECK_RAIL = (
+    *(column for column in WHEELS if column.source != WHEEL or column.name == "side"),
+    Column("normal_force", BACK, "N", "normal force of the check rail on the flange back"),
+    Column("x_shift", BACK, "m", "its centre ahead of the wheelset's centre, along the track"),
+    Column("height", BACK, "m", "its centre above the top of the running rail"),
+    Column("force_x", BACK, "N", "force on the wheel along the track, friction included"),
+    Column("force_y", BACK, "N", "force on the wheel across the track, to the left"),
+    Column("force_z", BACK, "N", "force on the wheel, up"),
+    Column("overlap", BACK, "m", "largest overlap: contact, check rail and wheel disc together"),
+    Column("p_max", BACK, "Pa", "largest pressure, of a line contact"),
+    Column("creepage", BACK, "-", "slip of the back over speed, mean over the load"),
+    Column("power", BACK, "W", "power lost"),
+)
+
 COUPLINGS = (
     Column("time", TIME, "s", "since the start of the run"),
     Column("coupling", COUPLING, "-", "name of the coupling", kind="string"),
@@ -159,6 +176,7 @@ LOGS = {
     "control": CONTROL,
     "wheels": WHEELS,
     "couplings": COUPLINGS,
+    "check_rail": CHECK_RAIL,
     "sensors": SENSORS,
 }
 
@@ -180,6 +198,7 @@ def positions(name: str, columns: tuple[Column, ...]) -> Any:
 ContactColumn: Any = positions("ContactColumn", CONTACT)
 MotionColumn: Any = positions("MotionColumn", MOTION)
 WheelColumn: Any = positions("WheelColumn", WHEELS)
+CheckRailColumn: Any = positions("CheckRailColumn", CHECK_RAIL)
 CouplingColumn: Any = positions("CouplingColumn", COUPLINGS)
 EnergyColumn: Any = positions("EnergyColumn", ENERGY)
 ControlColumn: Any = positions("ControlColumn", CONTROL)

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from hh_exudyn.case import Case
+from hh_exudyn.case.check_rail import check_rails
 from hh_exudyn.case.irregular import require_possible_track
 from hh_exudyn.multibody.couplings.dispatch import FAMILIES
 from hh_exudyn.multibody.couplings.family import packed
@@ -56,6 +57,13 @@ def assemble(vehicle: Vehicle, case: Case) -> SystemModel:
         start=start_middle(vehicle, case.start_m),
         wheelsets=np.array([numbers[wheelset.body] for wheelset in vehicle.wheelsets]),
         wheel_rail=case.contact_model(vehicle),
+        check_rail=check_rails(
+            case.track.check_rail,
+            alignment,
+            case.wheels(len(vehicle.wheelsets)),
+            case.back_to_back,
+            vehicle.wheelsets[0].radius,
+        ),
         friction=case.friction_table(len(vehicle.wheelsets)),
         alignment=alignment.table,
         irregularity=_irregularity(vehicle, case, alignment),

@@ -24,6 +24,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray, IntArray
+from hh_exudyn.contact.check_rail.table import BACK_COLUMNS, CheckRailTable
 from hh_exudyn.contact.friction import FrictionTable
 from hh_exudyn.contact.state import PATCH_COLUMNS
 from hh_exudyn.contact.strips.table import CAPACITY
@@ -118,6 +119,7 @@ class SystemModel(NamedTuple):
     start: float  # arc length of the vehicle's middle at the start [m]
     wheelsets: IntArray  # (wheelsets,) body numbers
     wheel_rail: WheelRailModel
+    check_rail: CheckRailTable
     friction: FrictionTable
     alignment: AlignmentTable
     irregularity: IrregularityTable
@@ -167,6 +169,7 @@ class Workspace(NamedTuple):
     wrench: FloatArray  # (wheelsets, 6)
     rail_force: FloatArray  # (wheelsets, 2, 2)
     patches: FloatArray  # (wheelsets, 2, MAX_PATCHES, PATCH_COLUMNS)
+    backs: FloatArray  # (wheelsets, 2, BACK_COLUMNS) of the flange backs on check rails
     in_contact: FloatArray  # (wheelsets, 2, CAPACITY) strips, also the next guess
     refine: FloatArray  # (1,) whether a record of the contacts is wanted, as in `ContactForces`
     new_sliders: FloatArray  # (couplings, SLIDERS)
@@ -256,6 +259,7 @@ def workspace(model: SystemModel) -> Workspace:
         wrench=np.zeros((wheelsets, 6)),
         rail_force=np.zeros((wheelsets, 2, 2)),
         patches=np.zeros((wheelsets, 2, MAX_PATCHES, PATCH_COLUMNS)),
+        backs=np.zeros((wheelsets, 2, BACK_COLUMNS)),
         in_contact=np.zeros((wheelsets, 2, CAPACITY)),
         refine=np.zeros(1),
         new_sliders=np.zeros((len(model.couplings.kind), SLIDERS)),

@@ -11,11 +11,14 @@ from enum import IntEnum
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray, IntArray
+from hh_exudyn.contact.check_rail.table import BackContact
 from hh_exudyn.contact.state import Patch
 from hh_exudyn.contact.types import MAX_PATCHES
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.kernel import Bundle, allocating_kernel, kernel, memory, shaped
 from hh_exudyn.log.channels import (
+    BACK,
+    CHECK_RAIL,
     CONTACT,
     COUPLINGS,
     ENERGY,
@@ -50,6 +53,11 @@ _OF_WHEEL = np.array(
     dtype=np.int64,
 )
 _OF_PATCH = _copies(CONTACT, PATCH, Patch)
+# (n, 2) positions of the check-rail log's columns in the wheels log and in the record of a flange back
+_OF_WHEEL_BACK = np.array(
+    [(k, WheelColumn[c.name]) for k, c in enumerate(CHECK_RAIL) if c.source != BACK], dtype=np.int64
+)
+_OF_BACK = _copies(CHECK_RAIL, BACK, BackContact)
 _OF_LEDGER = _copies(ENERGY, LEDGER, Ledger)
 
 
@@ -77,6 +85,7 @@ class LogWriter:
         self._contact = np.zeros((len(vehicle.wheelsets) * 2 * MAX_PATCHES, len(CONTACT)))
         self._wheels = np.zeros((2 * len(vehicle.wheelsets), len(WHEELS)))
         self._records = work.coupling_record
+        self._backs = work.backs.reshape(-1, len(BackContact))
         self._logged = np.array(logged, dtype=np.int64)
         self._couplings = np.zeros((self._logged.size, len(COUPLINGS)))
         self._couplings[:, CouplingColumn.coupling] = self._logged
@@ -99,6 +108,12 @@ class LogWriter:
             self._couplings[:, CouplingColumn.time] = time
             self._couplings[:, CouplingColumn.force_x :] = self._records[self._logged]
             self.recorder.append_rows("couplings", self._couplings)
+        touching = self._backs[:, BackContact.NORMAL_FORCE] > 0.0
+        if touching.any():
+            rows = np.empty((int(touching.sum()), len(CHECK_RAIL)))
+            rows[:, _OF_WHEEL_BACK[:, 0]] = wheels[touching][:, _OF_WHEEL_BACK[:, 1]]
+            rows[:, _OF_BACK[:, 0]] = self._backs[touching][:, _OF_BACK[:, 1]]
+            self.recorder.append_rows("check_rail", rows)
         self.recorder.append_rows("contact", self._contact[:count])
 
     def write_sensor(self, time: float, name: str, value: float | FloatArray) -> None:

@@ -3,6 +3,8 @@
 import math
 
 from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.check_rail.forces import check_rail_forces
+from hh_exudyn.contact.check_rail.table import BackContact
 from hh_exudyn.contact.geometry.rail_tables import gauge_point_at
 from hh_exudyn.contact.state import Patch
 from hh_exudyn.contact.types import ContactForces, RailMotion, WheelsetMotion
@@ -77,6 +79,8 @@ def evaluate(
     )
     forces = ContactForces(work.wrench, work.rail_force, work.patches, work.in_contact, work.refine)
     status = wheel_rail_forces(model.wheel_rail, wheelsets, rails, model.friction, forces)
+    if model.check_rail.stretches.shape[0] > 0 and status == 0:
+        status = check_rail_forces(model.check_rail, model.wheel_rail, wheelsets, rails, forces, work.backs)
     _contact_forces(model, work)
     _generalized_forces(model, work, q, v)
     return status
@@ -291,6 +295,7 @@ def _contact_forces(model: SystemModel, work: Workspace) -> None:
         for side in range(2):
             for patch in range(work.patches.shape[2]):
                 work.ledger[Ledger.CONTACT_POWER] += work.patches[w, side, patch, Patch.POWER]
+            work.ledger[Ledger.CONTACT_POWER] += work.backs[w, side, BackContact.POWER]
 
 
 @inlined_kernel

@@ -91,7 +91,9 @@ def _send(stream: rr.RecordingStream, shown: Scene, shape: ComplexArray, reach: 
     times = np.arange(round(SWINGS * PERIOD * PICTURE_RATE) + 1) / PICTURE_RATE
     when = clock(times, np.zeros_like(times))[:1]  # the vehicle does not move along the track
     stream.log("world", rr.ViewCoordinates.FLU, static=True)
-    for number, piece in enumerate(pieces(shown.alignment, shown.rail_left, shown.rail_right, *reach)):
+    for number, piece in enumerate(
+        pieces(shown.alignment, shown.rail_left, shown.rail_right, *reach, shown.check_rail)
+    ):
         send_track_piece(stream, f"world/track/{number:04d}", piece)
     for entity, mesh in shown.shapes.items():
         send_mesh(stream, f"world/vehicle/{entity}", mesh)

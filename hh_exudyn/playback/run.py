@@ -19,6 +19,7 @@ import trimesh
 from damage.material import ER7
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.case import Case
+from hh_exudyn.contact.check_rail.table import CheckRail
 from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT, RIGHT
@@ -67,6 +68,8 @@ class Scene:
         Rail profiles along the track.
     shear_yield
         Yield strength in pure shear k of the wheel, for fatigue index and shakedown diagram [Pa].
+    check_rail
+        Check rails; None for a track without.
     """
 
     vehicle: Vehicle
@@ -75,6 +78,7 @@ class Scene:
     rail_left: RailCourse
     rail_right: RailCourse
     shear_yield: float = ER7.shear_yield
+    check_rail: CheckRail | None = None
 
 
 def scene(case: Case, described: Vehicle | None = None) -> Scene:
@@ -96,7 +100,9 @@ def scene(case: Case, described: Vehicle | None = None) -> Scene:
             own[wheelset.body] = (_tread(left), _tread(right))
     rails = (case.track.rail_course(LEFT), case.track.rail_course(RIGHT))
     shapes = vehicle_shapes(vehicle, _tread(case.wheel), own)
-    return Scene(vehicle, shapes, case.alignment(), *rails)
+    alignment, check = case.alignment(), case.track.check_rail
+    beside = None if check is None else check.described(alignment)
+    return Scene(vehicle, shapes, alignment, *rails, check_rail=beside)
 
 
 def _tread(wheel: Profile) -> FloatArray:
@@ -213,7 +219,14 @@ def send(
 
     stream.log("world", rr.ViewCoordinates.FLU, static=True)
     for number, piece in enumerate(
-        pieces(scene.alignment, scene.rail_left, scene.rail_right, s.min() - SIGHT, s.max() + SIGHT)
+        pieces(
+            scene.alignment,
+            scene.rail_left,
+            scene.rail_right,
+            s.min() - SIGHT,
+            s.max() + SIGHT,
+            scene.check_rail,
+        )
     ):
         send_track_piece(stream, f"world/track/{number:04d}", piece)
     for entity, mesh in scene.shapes.items():

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from hh_exudyn.contact.check_rail.table import CheckRail
 from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.contact.profile import Profile, gauge_point, rail_profile, wheel_profile
 from hh_exudyn.playback.frames import moving_frame
@@ -203,6 +204,23 @@ def test_rails_lie_at_the_gauge_along_a_curve() -> None:
     assert outer.min() - inner.max() == pytest.approx(gauge, abs=1.5e-3)
     assert piece.rails.is_watertight and piece.bed.is_watertight
     assert np.abs(piece.rails.vertices).max() < 30.0  # relative to the piece's own origin
+
+
+def test_a_check_rail_stands_a_flangeway_inside_the_inner_rail() -> None:
+    gauge, flangeway = 1.445, 0.044
+    alignment = Alignment((Curve(100.0, 250.0, "left", 0.0, gauge),))
+    rail = RailCourse((rail_profile("60E1"),))
+    check = CheckRail(((1, 15.0, 25.0),), flangeway, height=0.020, flare_length=3.0)
+    bare = next(pieces(alignment, rail, rail, 0.0, 40.0))
+    piece = next(pieces(alignment, rail, rail, 0.0, 40.0, check))
+    assert piece.rails.is_watertight
+    points = np.asarray(piece.rails.vertices)[len(bare.rails.vertices) :] + piece.origin
+    radius = np.hypot(points[:, 0], points[:, 1] - 250.0)
+    s = 250.0 * np.arctan2(points[:, 0], 250.0 - points[:, 1])
+    assert points[:, 2].max() == pytest.approx(0.020, abs=1e-6)
+    inside = (s > 14.9) & (s < 25.1)
+    assert radius[inside].min() == pytest.approx(250.0 - 0.5 * gauge + flangeway, abs=1e-3)
+    assert (s.min(), s.max()) == (pytest.approx(12.0, abs=0.02), pytest.approx(28.0, abs=0.02))
 
 
 def test_track_on_a_gradient_rises_and_its_frames_pitch() -> None:

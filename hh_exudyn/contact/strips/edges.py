@@ -39,12 +39,13 @@ def soften_edges(
     residual: FloatArray,
     matrix: FloatArray,
     state: Memory,
+    compliance: float,
 ) -> None:
     """Replace the loads of the sharp solution by those of equation 1 (kernel: trusts its input).
 
     Parameters
     ----------
-    count, modulus, state
+    count, modulus, state, compliance
         As of `loads.solve_loads`; `LOAD` in and out.
     influences, known : FloatArray
         (>= count, >= count), (>= count,) influences by row, where known; rows are added.
@@ -64,8 +65,11 @@ def soften_edges(
         if s[Row.LOAD, j] > 0.0 or residual[j] < 0.5 * _SOFTNESS * change:
             if known[j] == 0.0:
                 influence_of(j, count, modulus, state, influences[j])
+                if compliance > 0.0:
+                    for r in range(count):
+                        influences[j, r] += compliance
                 known[j] = 1.0
-            own[j] = influences[j, j]
+            own[j] = influences[j, j] - compliance
             width[j] = max(0.5 * _SOFTNESS * change / own[j], _LEAST)
             z[j] = s[Row.LOAD, j] if s[Row.LOAD, j] > 0.0 else -residual[j] / own[j]
             slope[n] = _slope(z[j], width[j])

@@ -55,7 +55,9 @@ def first_half_lengths(count: int, state: Memory) -> None:
 
 
 @kernel
-def solve_loads(count: int, modulus: float, guess: FloatArray, state: Memory) -> bool:
+def solve_loads(
+    count: int, modulus: float, guess: FloatArray, state: Memory, compliance: float = 0.0
+) -> bool:
     """Solve equation 1 for the strips of `state` (kernel: trusts its input).
 
     Parameters
@@ -70,6 +72,8 @@ def solve_loads(count: int, modulus: float, guess: FloatArray, state: Memory) ->
         which follows from the final set alone.
     state : memory
         (ROWS, CAPACITY): `OVERLAP`, `ARC`, `WIDTH`, `HALF_LENGTH` in, `LOAD` out [N].
+    compliance : float
+        Of what carries the bodies: all strips give way by it times the sum of all loads [m/N].
 
     Returns
     -------
@@ -82,17 +86,21 @@ def solve_loads(count: int, modulus: float, guess: FloatArray, state: Memory) ->
             modulus,
             guess,
             state,
+            compliance,
             shaped(memory(_MATRIX), (_FEW, _ROW)),
             shaped(memory(_MATRIX), (_FEW, _ROW)),
         )
-    return _solve_many_loads(count, modulus, guess, state)
+    return _solve_many_loads(count, modulus, guess, state, compliance)
 
 
 @allocating_kernel
-def _solve_many_loads(count: int, modulus: float, guess: FloatArray, state: Memory) -> bool:
+def _solve_many_loads(
+    count: int, modulus: float, guess: FloatArray, state: Memory, compliance: float
+) -> bool:
     """`solve_loads` with matrices that are too large for the stack."""
+    room = count + PADDING
     return _solve_loads(
-        count, modulus, guess, state, np.empty((count, count + PADDING)), np.empty((count, count + PADDING))
+        count, modulus, guess, state, compliance, np.empty((count, room)), np.empty((count, room))
     )
 
 
@@ -102,6 +110,7 @@ def _solve_loads(
     modulus: float,
     guess: FloatArray,
     state: Memory,
+    compliance: float,
     influences: FloatArray,
     matrix: FloatArray,
 ) -> bool:
@@ -120,6 +129,9 @@ def _solve_loads(
                 n += 1
                 if known[j] == 0.0:
                     influence_of(j, count, modulus, state, influences[j])
+                    if compliance > 0.0:
+                        for r in range(count):
+                            influences[j, r] += compliance
                     known[j] = 1.0
         for r in range(n):
             overlaps[r] = s[Row.OVERLAP, np.uint64(numbers[r])]
@@ -152,7 +164,7 @@ def _solve_loads(
                 guess[np.uint64(s[Row.NUMBER, j])] = active[j]
             for r in range(n):
                 s[Row.LOAD, np.uint64(numbers[r])] = loads[r]
-            soften_edges(count, modulus, influences, known, residual, matrix, state)
+            soften_edges(count, modulus, influences, known, residual, matrix, state, compliance)
             return True
     return False
 

@@ -8,6 +8,7 @@
 `boxy`                bodies of any other vehicle
 `dimensions`          dimensions of the ore wagon
 `track`               rails, sleepers and ballast along an alignment
+`check_rail`          check rails beside them
 `meshes`              boxes, bars, turned bodies, coils, colours
 ====================  ================================================================================
 """

@@ -10,10 +10,12 @@ import trimesh
 from scipy.spatial.transform import Rotation
 
 from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.check_rail.table import CheckRail
 from hh_exudyn.contact.geometry.rail_tables import RailCourse
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT, RIGHT
 from hh_exudyn.playback.frames import Poses, TrackFrames, relative, single, track_frames, upright
+from hh_exudyn.playback.shapes.check_rail import outlines, places
 from hh_exudyn.playback.shapes.meshes import Colour, box, joined, loft, resampled
 from track.course.alignment import Alignment
 
@@ -44,7 +46,12 @@ class Piece(NamedTuple):
 
 
 def pieces(
-    alignment: Alignment, rail_left: RailCourse, rail_right: RailCourse, first: float, last: float
+    alignment: Alignment,
+    rail_left: RailCourse,
+    rail_right: RailCourse,
+    first: float,
+    last: float,
+    check: CheckRail | None = None,
 ) -> Iterator[Piece]:
     """The track between two arc lengths [m], cut to where there is track, piece by piece.
 
@@ -56,6 +63,8 @@ def pieces(
         Rails of both sides along the track.
     first, last
         Arc lengths [m].
+    check
+        Check rails; None for a track without.
 
     Raises
     ------
@@ -71,7 +80,7 @@ def pieces(
     rails = {LEFT: rail_left, RIGHT: rail_right}
     ends = np.append(np.arange(start, end, PIECE), end)
     for low, high in pairwise(ends):
-        yield _piece(alignment, rails, float(low), float(high))
+        yield _piece(alignment, rails, float(low), float(high), check)
 
 
 def rail_section(head: Profile) -> FloatArray:
@@ -109,7 +118,9 @@ def sleeper() -> trimesh.Trimesh:
     return joined(parts)
 
 
-def _piece(alignment: Alignment, rails: dict[int, RailCourse], low: float, high: float) -> Piece:
+def _piece(
+    alignment: Alignment, rails: dict[int, RailCourse], low: float, high: float, check: CheckRail | None
+) -> Piece:
     """One piece of track from s = low to high."""
     s = _stations(alignment, rails, low, high)
     frames = track_frames(alignment, s)
@@ -118,6 +129,12 @@ def _piece(alignment: Alignment, rails: dict[int, RailCourse], low: float, high:
         _swept(frames, origin, _placed(rails[side], s, side, frames.gauge), RAIL, RUNNING_BAND)
         for side in (LEFT, RIGHT)
     ]
+    if check is not None:
+        for stretch in check.stretches:
+            along = places(check, stretch, s)
+            if along.size > 1:
+                beside = track_frames(alignment, along)
+                swept.append(_swept(beside, origin, outlines(check, stretch, along, beside.gauge), RAIL))
     number = np.arange(math.ceil(low / SLEEPER_SPACING), math.ceil(high / SLEEPER_SPACING))
     seats = SLEEPER_SPACING * number.astype(np.float64)
     under = track_frames(alignment, seats)
