@@ -48,6 +48,10 @@ def run(
     resume: Annotated[
         bool, typer.Option("--resume", help="Go on with the interrupted run of the case in the folder.")
     ] = False,
+    exudyn_viewer: Annotated[
+        bool,
+        typer.Option("--exudyn-viewer", help="Watch the run in Exudyn's window; closing it ends the run."),
+    ] = False,
 ) -> None:
     """Simulate a case: logs, recording, and a table of the wheelsets in the last part of the run.
 
@@ -57,12 +61,14 @@ def run(
     with output.errors_in_one_line(out_folder):
         changed = changed_case(case, vehicle_, set_)
         inputs.check_range("--workers", workers, 1, 1024)
+        if vary and exudyn_viewer:
+            raise inputs.BadInput("--exudyn-viewer shows one run; without --vary")
         if vary:
             run_matrix(varied_cases(changed, vary), out_folder, workers)
             return
         if not resume:
             inputs.require_new_folder(out_folder)
-        _show_run(_simulated(changed, out_folder, resume))
+        _show_run(_simulated(changed, out_folder, resume, exudyn_viewer))
 
 
 def demo(out_folder: inputs.NewFolder) -> None:
@@ -100,16 +106,18 @@ def playback(
         output.print_line(f"{recording} is open in the rerun viewer (process {viewer})")
 
 
-def _simulated(case: "Case", folder: Path, resume: bool = False) -> "Run":
+def _simulated(case: "Case", folder: Path, resume: bool = False, shown: bool = False) -> "Run":
     """The run of a case, with a progress bar; an early end is one line and an exit code."""
     from hh_exudyn.multibody.equilibrium import NoEquilibrium
     from hh_exudyn.multibody.simulate import SimulationStopped, simulate
+    from hh_exudyn.multibody.viewer import NoScreen, Viewer
 
     try:
+        viewer = Viewer(case) if shown else None
         with _progress_bar(case.name) as progress:
-            if resume:
-                return simulate(case, folder, progress=progress, resume=True)
-            return simulate(case, folder, progress=progress)
+            return simulate(case, folder, progress=progress, resume=resume, viewer=viewer)
+    except NoScreen as error:
+        output.fail(output.FAULT, str(error))
     except (SimulationStopped, NoEquilibrium) as error:
         output.fail(output.STOPPED, f"{error}; {output.log_place(folder, resumable=False)}")
     except FileExistsError as error:  # another run has claimed the folder: nothing is written into it
