@@ -33,6 +33,7 @@
 `hysteresis`     force over deflection of a bogie's friction elements in slow cycles
 `free_wheelset`  a wheelset that nothing guides, on cones
 `validation`     vehicles against closed forms and outside numbers, as rows of `hh-exudyn validate`
+`gz18_curve`     GZ18 against SIMPACK in a curve, among these rows
 ===============  ===================================================================================
 """
 

@@ -9,8 +9,8 @@ import sys
 from typing import Any
 
 import exudyn as exu
-from exudyn import graphics
 import numpy as np
+from exudyn import graphics
 from exudyn.itemInterface import ObjectGround, VObjectGround
 
 from hh_exudyn.case import Case
@@ -21,7 +21,7 @@ from vehicles.description import Body, Vehicle
 from vehicles.outline import RUNNING_CIRCLE, WHEEL_WIDTH, body_box
 
 _COLOURS = {
-    "car_body": [0.55, 0.2, 0.15, 1.0],
+    "car_body": [0.65, 0.25, 0.2, 0.5],  # what it stands on is seen through it
     "wheelset": [0.45, 0.45, 0.5, 1.0],
     "bogie_frame": [0.2, 0.3, 0.45, 1.0],
     "side_frame": [0.2, 0.3, 0.45, 1.0],
@@ -33,8 +33,8 @@ _HALF_HEAD = 0.036  # m, of a rail
 _STEP = 2.0  # m, between the points of a rail
 _STARTUP = 30_000  # ms that a busy machine may take to open the window
 _PERIOD = 0.04  # s between two pictures
-_VIEW = [-1.15, 0.0, -0.5]  # rotation vector: from the right, from above and a little from ahead
-_HEIGHT = 1.1  # of the scene in the window, over the length of the vehicle
+_VIEW = [-1.230, -0.307, -0.422]  # rotation vector: from the right, 18 degrees from above, 28 from ahead
+_HEIGHT = 0.75  # of the scene in the window, over the length of the vehicle
 
 
 class NoScreen(RuntimeError):
