@@ -115,5 +115,7 @@ def _signal(log: dict[str, FloatArray], row: dict[str, str]) -> tuple[FloatArray
     mine = log["wheelset"] == int(row["wheelset"])
     mine &= log["side"] == (-1 if row["side"] == "R" else 1)
     times, index = np.unique(log["time"][mine], return_inverse=True)
-    values = np.bincount(index, quantity.factor * log[quantity.column][mine])
-    return times, values if quantity.summed else values / np.bincount(index)
+    values = np.bincount(index, quantity.factor * log[quantity.column][mine]).astype(np.float64)
+    if not quantity.summed:
+        values = values / np.bincount(index)
+    return times, values

@@ -15,7 +15,7 @@ from hh_exudyn.case import Case, StraightCase, TrackCase
 from hh_exudyn.multibody import build
 from hh_exudyn.multibody.viewer import NoScreen, Viewer, require_screen
 
-TRACK = TrackCase(sections=(StraightCase(length_m=25),))
+TRACK = TrackCase(sections=(StraightCase(length_m=30),))
 CASE = Case(name="looked at", speed_km_h=60, friction=0.35, track=TRACK)
 
 LOOK = """
@@ -90,7 +90,7 @@ def test_shapes_stand_where_the_bodies_stand(monkeypatch: pytest.MonkeyPatch) ->
             assert np.ptp(own[:, 2]) == pytest.approx(2 * system.vehicle.wheelsets[0].radius, rel=0.02)
     rails = drawn["lines"]["points"].reshape(-1, 3)
     assert rails[:, 0].min() == pytest.approx(0.0)
-    assert rails[:, 0].max() == pytest.approx(25.0)
+    assert rails[:, 0].max() == pytest.approx(30.0)
     assert np.abs(rails[:, 1]) == pytest.approx(0.7535, abs=0.02)
 
 
