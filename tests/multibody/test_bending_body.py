@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from two_axle_wagon import HALF_WHEELBASE, two_axle_wagon
 
-from hh_exudyn.case import Case, IntegrationCase, StraightCase, TrackCase
+from hh_exudyn.case import Case, CurveCase, IntegrationCase, StraightCase, TrackCase, TransitionCase
 from hh_exudyn.log.store import CHECKPOINT_FILE, Run, open_run
 from hh_exudyn.multibody.bending_body import BendingBody
 from hh_exudyn.multibody.interruption import Terminated
@@ -16,7 +16,8 @@ from hh_exudyn.multibody.simulate import simulate
 from vehicles.description import Body, Vehicle
 
 LENGTH = 9.0  # m
-TRACK = TrackCase(irregularity="erri_high", flexibility="rigid", sections=(StraightCase(length_m=40),))
+TRACK = TrackCase(irregularity="erri_high", flexibility="rigid", sections=(StraightCase(length_m=115),))
+STEPS = IntegrationCase(step_ms=0.2, output_interval_ms=4.0)
 
 
 def bending(frequency: float) -> BendingBody:
@@ -26,7 +27,7 @@ def bending(frequency: float) -> BendingBody:
 
 def case(step_ms: float) -> Case:
     steps = IntegrationCase(step_ms=step_ms, output_interval_ms=4.0)
-    return Case(name="bending", speed_km_h=80, friction=0.35, track=TRACK, integration=steps)
+    return Case(name="bending", speed_km_h=120, friction=0.35, track=TRACK, integration=steps)
 
 
 def with_rigid(body: Body) -> Vehicle:
@@ -67,7 +68,7 @@ def test_a_stiff_body_moves_as_a_rigid_one(tmp_path: Path) -> None:
     rigid = simulate(case(0.2), tmp_path / "rigid", vehicle=with_rigid(bending(10.0).rigid))
     moved, loads = heights(rigid, "body"), wheel_loads(rigid)
     apart, uneven = [], []
-    for frequency, step in ((12.0, 0.1), (24.0, 0.05)):
+    for frequency, step in ((8.0, 0.14), (16.0, 0.07)):
         beam = bending(frequency)
         run = simulate(
             case(step), tmp_path / f"{frequency}", vehicle=beam.in_two(two_axle_wagon()), extend=beam
@@ -75,7 +76,7 @@ def test_a_stiff_body_moves_as_a_rigid_one(tmp_path: Path) -> None:
         size = min(moved.size, heights(run, *beam.names).size)
         apart.append(np.std(heights(run, *beam.names)[:size] - moved[:size]) / np.std(moved))
         uneven.append(np.std(wheel_loads(run)[:size] - loads[:size]) / np.std(loads))
-    assert apart[0] > 0.01, apart  # it bends
+    assert apart[0] > 0.004, apart  # it bends
     assert apart[1] < 0.35 * apart[0], apart
     assert apart[1] < 0.02, apart
     assert uneven[1] < 0.35 * uneven[0], uneven
@@ -89,8 +90,10 @@ def test_a_run_with_an_extension_is_resumed(tmp_path: Path, monkeypatch: pytest.
     monkeypatch.setattr("hh_exudyn.multibody.integration.PROGRESS_INTERVAL", 0.0)
     beam = bending(6.0)
     wagon = beam.in_two(two_axle_wagon())
-    short = case(0.2).with_changes(
-        track={"sections": [{"kind": "straight", "length_m": 32.0}], "irregularity": "erri_high"}
+    curve = CurveCase(length_m=6, radius_m=300, hand="left", cant_mm=80)
+    sections = (StraightCase(length_m=14), TransitionCase(length_m=14), curve)
+    short = Case(
+        name="cut off", speed_km_h=60, friction=0.35, track=TrackCase(sections=sections), integration=STEPS
     )
     whole = simulate(short, tmp_path / "whole", vehicle=wagon, extend=beam)
 
