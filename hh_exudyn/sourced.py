@@ -244,10 +244,15 @@ class ParameterSet:
 
     def _closest(self, name: str) -> str:
         """The nearest name; failing that the other numbers of the part, or the parts."""
+        part, _, quantity = name.partition(".")
+        ends_so = [
+            known for known in self._by_name if known.startswith(f"{part}.") and known.endswith(quantity)
+        ]
+        if quantity and len(ends_so) > 1:
+            return f"; did you mean one of {', '.join(ends_so)}?"
         if near := difflib.get_close_matches(name, self._by_name, n=1, cutoff=0.6):
             return f"; did you mean {near[0]}?"
-        part = name.split(".", 1)[0] + "."
-        of_part = [known for known in self._by_name if known.startswith(part)]
+        of_part = [known for known in self._by_name if known.startswith(f"{part}.")]
         return f"; it has {', '.join(of_part)}" if of_part else f"; its parts are {', '.join(self.tables)}"
 
 

@@ -8,6 +8,8 @@
                      are in `hh_exudyn.multibody.couplings`
 `freight_couplings`  those of European freight wagons: Lenoir suspension, double link
 `passenger_bogie`    the axle-box arm, and dampers by a table and in series with a spring
+`preloads`           springs that are loaded on the drawing
+`joining`            which bodies a coupling may join, and in which order
 `soundness`          checks of all numbers of a vehicle: finite, of a possible size, everything above the
                      rails and between the ends
 `quantities`         plausible ranges of changed numbers, a type for each quantity

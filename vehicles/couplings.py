@@ -1,8 +1,10 @@
 """Couplings between two bodies of a vehicle, as frozen values on its drawing (frame: `description`).
 
-A coupling's displacement is that of its point on body B relative to body A in the axes of body A, zero on the
-drawing; its force and moment act on B there, and their opposites on A at the same place. The kernels of these
-forces are in `hh_exudyn.multibody.couplings`.
+A coupling's displacement is that of its point on body B relative to body A, zero on the drawing; its force
+and moment act on B there, and their opposites on A at the same place. Its axes are those of body A, or of
+body B where A is a wheelset, whose own axes spin. Every coupling has a `preload`, its force on the drawing,
+zero by default. Which bodies it may join, and in which order: `joining`. The kernels of the forces are in
+`hh_exudyn.multibody.couplings`.
 """
 
 import math
@@ -11,6 +13,7 @@ from itertools import pairwise
 
 from vehicles.freight_couplings import DoubleLink, LenoirSuspension
 from vehicles.passenger_bogie import AxleBoxArm, Damper, SeriesDamper
+from vehicles.preloads import require_preload, two_stage_compression
 
 Vector = tuple[float, float, float]
 
@@ -19,7 +22,7 @@ LARGEST_TABLE = 10  # most points of a bump stop, the size of the table in the f
 
 @dataclass(frozen=True)
 class AxleBoxPad:
-    """Linear elastic pad between a side frame (A) and the axle of a wheelset (B), which spins freely."""
+    """Linear elastic pad between a frame (A) and the axle of a wheelset (B), which spins freely."""
 
     name: str
     body_a: str
@@ -29,7 +32,7 @@ class AxleBoxPad:
     damping: Vector  # [N s/m]
     roll_stiffness: float  # [N m/rad]
     yaw_stiffness: float  # [N m/rad]
-    preload: Vector = (0.0, 0.0, 0.0)  # force on the wheelset on the drawing [N], e.g. (0, 0, -load)
+    preload: Vector = (0.0, 0.0, 0.0)  # force on body B on the drawing [N], e.g. (0, 0, -load)
 
 
 @dataclass(frozen=True)
@@ -53,10 +56,17 @@ class AxleBox:
     longitudinal_clearance: float  # to either side [m]
     lateral_clearance: float  # to either side [m]
     stop_stiffness: float  # of the pedestal [N/m]
+    preload: float = 0.0  # load on the pad on the drawing [N]
+
+    @property
+    def compression(self) -> float:
+        """Compression of the pad on the drawing [m]."""
+        return self.preload / self.stiffness[2]
 
     def __post_init__(self) -> None:
         if not all(value > 0.0 for value in self.stiffness):
             raise ValueError(f"axle box {self.name}: stiffness {self.stiffness} N/m must be > 0")
+        require_preload(f"axle box {self.name}", self.preload)
         for quantity, value, unit in (
             ("friction", self.friction, ""),
             ("longitudinal_clearance", self.longitudinal_clearance, " m"),
@@ -69,7 +79,7 @@ class AxleBox:
 
 @dataclass(frozen=True)
 class SpringNest:
-    """Two-stage load springs between a side frame (A) and a bolster end (B), with lateral stops (gibs) and
+    """Two-stage load springs on a side frame (A) that carry a bolster end (B), with lateral stops (gibs) and
     rotation stops (lugs), which limit the warp of the bolster in the side frame.
     """
 
@@ -94,6 +104,17 @@ class SpringNest:
     stop_stiffness: float  # lateral [N/m]
     rotation_clearance: float  # yaw of the bolster in the side frame up to the rotation stops [rad]
     rotation_stop_stiffness: float  # [N m/rad]
+    preload: float = 0.0  # load that B stands with on A on the drawing [N]
+
+    @property
+    def compression(self) -> float:
+        """Compression of the springs on the drawing [m]."""
+        return two_stage_compression(
+            self.preload, self.first_stiffness, self.second_stiffness, self.second_from
+        )
+
+    def __post_init__(self) -> None:
+        require_preload(f"spring nest {self.name}", self.preload)
 
 
 @dataclass(frozen=True)
@@ -205,11 +226,20 @@ class CentrePlate:
     rim_clearance: float  # [m]
     rim_stiffness: float  # [N/m]
     spherical: bool = False  # a bowl, which tilts freely
+    preload: float = 0.0  # load that B stands with on A on the drawing [N]
+
+    @property
+    def compression(self) -> float:
+        """Compression of the plate on the drawing [m]."""
+        return self.preload / self.stiffness if self.preload else 0.0
+
+    def __post_init__(self) -> None:
+        require_preload(f"centre plate {self.name}", self.preload)
 
 
 @dataclass(frozen=True)
 class SideBearer:
-    """Constant-contact side bearer: preloaded spring with a friction face, and a solid stop."""
+    """Constant-contact side bearer on A under B: preloaded spring with a friction face, and a solid stop."""
 
     name: str
     body_a: str
@@ -305,6 +335,7 @@ class BumpStop:
     axis: Vector  # unit vector in the axes of body A
     table: tuple[tuple[float, float], ...]  # (displacement [m], force [N]), both rising
     odd: bool
+    preload: float = 0.0  # force on body B along the axis on the drawing, beside the table's [N]
 
     def __post_init__(self) -> None:
         if abs(math.hypot(*self.axis) - 1.0) > 1e-9:

@@ -4,12 +4,11 @@ Drawing frame of a vehicle: x forward from its middle, y left, z up from the rai
 unloaded. Couplings between the bodies: `couplings`.
 """
 
-import math
 from dataclasses import dataclass
 
 from hh_exudyn.conventions import GRAVITY
-from vehicles.couplings import Coupling, Rod, Vector
-from vehicles.passenger_bogie import AxleBoxArm
+from vehicles.couplings import Coupling, Vector
+from vehicles.joining import require_possible, with_wheelset_last
 from vehicles.soundness import require_inside, require_sound
 from vehicles.traction.effort import TractionEquipment
 
@@ -127,8 +126,7 @@ class Vehicle:
         names = [body.name for body in self.bodies]
         if len(set(names)) != len(names):
             raise ValueError(f"vehicle {self.name}: body names are not unique: {names}")
-        wanted = {name for coupling in self.couplings for name in (coupling.body_a, coupling.body_b)}
-        wanted |= {wheelset.body for wheelset in self.wheelsets} | set(self.coupler.bodies)
+        wanted = {wheelset.body for wheelset in self.wheelsets} | set(self.coupler.bodies)
         wanted |= {body for drive in self.drives for body in (drive.wheelset, drive.motor)}
         wanted |= {body for shoe in self.shoes for body in (shoe.wheelset, shoe.carrier)}
         if unknown := wanted - set(names):
@@ -138,26 +136,12 @@ class Vehicle:
             raise ValueError(f"vehicle {self.name}: drives and their traction equipment go together")
         if self.drives and [drive.wheelset for drive in self.drives] != [w.body for w in self.wheelsets]:
             raise ValueError(f"vehicle {self.name}: its drives must be one for each wheelset, in their order")
-        for c in self.couplings:
-            on_a, on_b = c.body_a in spinning, c.body_b in spinning
-            if on_a and not isinstance(c, Rod):
-                raise ValueError(
-                    f"vehicle {self.name}: {type(c).__name__} {c.name} has the axes of its body A, which "
-                    f"would turn with the spinning wheelset {c.body_a}; make the wheelset its body B"
-                )
-            if isinstance(c, AxleBoxArm) and not on_b:
-                raise ValueError(
-                    f"vehicle {self.name}: axle-box arm {c.name} turns on {c.body_b}, which is no wheelset"
-                )
-            ends = (c.point_a, c.point_b) if isinstance(c, Rod) else (c.point, c.point)
-            for body, end in zip((c.body_a, c.body_b), ends, strict=True):
-                axle = self.body(body).position
-                if body in spinning and math.hypot(end[0] - axle[0], end[2] - axle[2]) > 1e-6:
-                    raise ValueError(
-                        f"vehicle {self.name}: {type(c).__name__} {c.name} is fixed to its spinning wheelset "
-                        f"at {end} m; it must be on the axle's centre line, x = {axle[0]:g} m, "
-                        f"z = {axle[2]:g} m"
-                    )
+        # the value of a frozen description is set here once, in one order for everything that reads it
+        object.__setattr__(self, "couplings", with_wheelset_last(self.couplings, spinning))
+        try:
+            require_possible(self.couplings, {body.name: body.position for body in self.bodies}, spinning)
+        except ValueError as error:
+            raise ValueError(f"vehicle {self.name}: {error}") from None
         for shoe in self.shoes:
             if shoe.wheelset not in spinning or shoe.carrier in spinning:
                 raise ValueError(

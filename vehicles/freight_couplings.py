@@ -1,12 +1,15 @@
 """Suspensions of European freight wagons, between a frame (A) and a wheelset (B): Lenoir link, double link.
 
-Frozen values on a vehicle's drawing, as those of `couplings`. Both carry by springs that are unloaded on the
-drawing and rub with a friction that goes with their load; their elastic forces are the derivatives of one
-energy, so that no path takes work out of them. The kernels are in `hh_exudyn.multibody.couplings.freight`.
+Frozen values on a vehicle's drawing, as those of `couplings`. Both carry by springs, unloaded on the drawing
+without a `preload`, and rub with a friction that goes with their load; their elastic forces are the
+derivatives of one energy, so that no path takes work out of them. The kernels are in
+`hh_exudyn.multibody.couplings.freight`.
 """
 
 import math
 from dataclasses import dataclass
+
+from vehicles.preloads import require_preload, two_stage_compression
 
 
 def _require(name: str, *quantities: tuple[str, float, str, bool]) -> None:
@@ -46,8 +49,17 @@ class LenoirSuspension:
     longitudinal_clearance: float  # of the box off its guide [m]
     lateral_clearance: float  # to either side [m]
     stop_stiffness: float  # [N/m]
+    preload: float = 0.0  # load on the box on the drawing [N]
+
+    @property
+    def compression(self) -> float:
+        """Compression of both spring groups on the drawing [m]."""
+        return two_stage_compression(
+            self.preload, self.first_stiffness, self.second_stiffness, self.second_from
+        )
 
     def __post_init__(self) -> None:
+        require_preload(f"Lenoir suspension {self.name}", self.preload)
         _require(
             f"Lenoir suspension {self.name}",
             ("first_stiffness", self.first_stiffness, " N/m", False),
@@ -91,8 +103,17 @@ class DoubleLink:
     longitudinal_clearance: float  # of the axle guards [m]
     lateral_clearance: float  # [m]
     stop_stiffness: float  # [N/m]
+    preload: float = 0.0  # load on the box on the drawing [N]
+
+    @property
+    def compression(self) -> float:
+        """Compression of the leaf spring on the drawing [m]."""
+        return two_stage_compression(
+            self.preload, self.first_stiffness, self.second_stiffness, self.second_from
+        )
 
     def __post_init__(self) -> None:
+        require_preload(f"double link {self.name}", self.preload)
         _require(
             f"double link {self.name}",
             ("first_stiffness", self.first_stiffness, " N/m", False),

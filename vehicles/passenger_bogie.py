@@ -39,6 +39,7 @@ class AxleBoxArm:
     bushing: Vector  # in the frame [m]; as far from the vehicle's middle plane as `point`
     stiffness: Vector  # of the bushing [N/m]
     damping: tuple[float, float] = (0.0, 0.0)  # along the arm and lateral [N s/m]
+    preload: float = 0.0  # pull of the arm on the drawing [N]
 
     def __post_init__(self) -> None:
         if not (math.hypot(self.arm[0], self.arm[2]) > 0.0 and abs(self.arm[1]) < 1e-9):

@@ -14,6 +14,7 @@ from typing import Annotated, Any, NamedTuple
 from pydantic import Field, TypeAdapter, ValidationError
 
 from hh_exudyn.sourced import Parameter
+from vehicles.units import allowed_units
 
 MOST_TIMES = 200.0
 _AXES = ("x", "y", "z")  # behind the name of a component
@@ -108,16 +109,27 @@ def require_plausible(parameter: Parameter) -> None:
     quantity = quantity_of(parameter)
     if quantity is None or (quantity.or_zero and parameter.value == 0.0):
         return
+    value = parameter.value
+    if ".preload" in parameter.name:  # it may point either way
+        value = abs(value)
     try:
-        _adapter(quantity).validate_python(parameter.value)
+        _adapter(quantity).validate_python(value)
     except ValidationError:
         low, high = _bounds(quantity)
         unit = "" if parameter.unit == "-" else f" {parameter.unit}"
         also = "0, or " if quantity.or_zero else ""
         raise ValueError(
             f"{parameter.name} = {parameter.value:g}{unit} is no plausible {quantity.name}: allowed {also}"
-            f"{low:g} to {high:g}{unit}"
+            f"{low:g} to {high:g}{unit}{_other_units(parameter)}"
         ) from None
+
+
+def _other_units(parameter: Parameter) -> str:
+    """How the number would be written in another unit, where it has some."""
+    others = allowed_units(parameter.unit)[1:]
+    return (
+        f'; with a unit: "{parameter.value:g} {others[0]}" or {", ".join(others[1:])}' if others[1:] else ""
+    )
 
 
 def require_same_unit(parameter: Parameter, base: Parameter) -> None:

@@ -7,6 +7,7 @@ import numpy as np
 
 from vehicles.couplings import BumpStop, Rod
 from vehicles.description import Vehicle
+from vehicles.passenger_bogie import Damper, SeriesDamper
 
 TOLERANCE = 1e-6  # of the weight: largest force or moment out of balance
 
@@ -46,10 +47,11 @@ def axle_loads(vehicle: Vehicle) -> list[float]:
 def _supports(vehicle: Vehicle) -> Iterator[tuple[str, str, float]]:
     """Bodies and place of every coupling that carries weight at rest.
 
-    Left out are bump stops, elements without vertical stiffness, and rods nearer to horizontal than vertical.
+    Left out are bump stops, dampers, elements without vertical stiffness, and rods nearer to horizontal than
+    vertical.
     """
     for coupling in vehicle.couplings:
-        if isinstance(coupling, BumpStop):
+        if isinstance(coupling, BumpStop | Damper | SeriesDamper):
             continue
         if isinstance(coupling, Rod):
             (xa, ya, za), (xb, yb, zb) = coupling.point_a, coupling.point_b

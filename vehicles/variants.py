@@ -5,6 +5,7 @@
 
     [wedge]
     friction = 0.35                 # in the unit that the base has
+    spring_stiffness = "0.4 MN/m"
     preload = { value = 1.5, unit = "kN", source = "assumed: a worn wedge stands higher" }
 
 The base may be a file with a whole vehicle too (`vehicles.whole`), whose numbers then are those of its parts.
@@ -30,6 +31,7 @@ from vehicles.units import converted
 from vehicles.whole.document import Document
 from vehicles.whole.export import document_of_record
 from vehicles.whole.file import is_whole_file, read_whole
+from vehicles.whole.numbers import FORMS, with_unit
 from vehicles.whole.writing import to_tables
 
 _KEYS = ("name", "base", "description")  # of a variant's table; everything else is a part
@@ -185,13 +187,18 @@ def _variant(table: Mapping[str, Any], source: str, folder: Path, above: tuple[P
 
 def _parameter(name: str, entry: Any, known: ParameterSet, source: str) -> Parameter:
     """A changed number, checked; its unit is that of the base where the file gives none."""
+    if isinstance(entry, str):
+        found = with_unit(entry)
+        if found is None:
+            raise ValueError(f"{name} = {entry!r}: allowed {FORMS}")
+        entry = {"value": found[0], **({"unit": found[1]} if found[1] else {})}
     if not isinstance(entry, Mapping):
         alone = known.replace({name: entry}, source).parameter(name)
         require_plausible(alone)
         require_same_unit(alone, known.parameter(name))
         return alone
     if "value" not in entry or set(entry) - _ENTRY:
-        raise ValueError(f"{name} = {dict(entry)!r}: allowed a number, or a table of value, unit and source")
+        raise ValueError(f"{name} = {dict(entry)!r}: allowed {FORMS}")
     value = known.replace({name: entry["value"]}, source).parameter(name)
     try:
         number = converted(value.value, _text(entry, "unit") or value.unit, value.unit)

@@ -49,6 +49,10 @@ def run(
     resume: Annotated[
         bool, typer.Option("--resume", help="Go on with the interrupted run of the case in the folder.")
     ] = False,
+    exudyn_viewer: Annotated[
+        bool,
+        typer.Option("--exudyn-viewer", help="Watch the run in Exudyn's window; closing it ends the run."),
+    ] = False,
 ) -> None:
     """Simulate a case: logs, recording, and tables of the wheels on every element of the track.
 
@@ -58,12 +62,14 @@ def run(
     with output.errors_in_one_line(out_folder):
         changed = changed_case(case, vehicle_, set_)
         inputs.check_range("--workers", workers, 1, 1024)
+        if vary and exudyn_viewer:
+            raise inputs.BadInput("--exudyn-viewer shows one run; without --vary")
         if vary:
             run_matrix(varied_cases(changed, vary), out_folder, workers)
             return
         if not resume:
             inputs.require_new_folder(out_folder)
-        _show_run(simulated(changed, out_folder, resume))
+        _show_run(simulated(changed, out_folder, resume, exudyn_viewer))
 
 
 def demo(out_folder: inputs.NewFolder) -> None:
@@ -101,7 +107,7 @@ def playback(
         output.print_line(f"{recording} is open in the rerun viewer (process {viewer})")
 
 
-def simulated(case: "Case", folder: Path, resume: bool = False) -> "Run":
+def simulated(case: "Case", folder: Path, resume: bool = False, shown: bool = False) -> "Run":
     """The run of a case, with a progress bar; an early end is one line and an exit code.
 
     Parameters
@@ -112,6 +118,8 @@ def simulated(case: "Case", folder: Path, resume: bool = False) -> "Run":
         New folder of the run, or that of the interrupted one.
     resume
         Whether to go on with an interrupted run.
+    shown
+        Whether to show it in Exudyn's window.
 
     Raises
     ------
@@ -120,12 +128,14 @@ def simulated(case: "Case", folder: Path, resume: bool = False) -> "Run":
     """
     from hh_exudyn.multibody.equilibrium import NoEquilibrium
     from hh_exudyn.multibody.simulate import SimulationStopped, simulate
+    from hh_exudyn.multibody.viewer import NoScreen, Viewer
 
     try:
+        viewer = Viewer(case) if shown else None
         with _progress_bar(case.name) as progress:
-            if resume:
-                return simulate(case, folder, progress=progress, resume=True)
-            return simulate(case, folder, progress=progress)
+            return simulate(case, folder, progress=progress, resume=resume, viewer=viewer)
+    except NoScreen as error:
+        output.fail(output.FAULT, str(error))
     except (SimulationStopped, NoEquilibrium) as error:
         output.fail(output.STOPPED, f"{error}; {output.log_place(folder, resumable=False)}")
     except FileExistsError as error:  # another run has claimed the folder: nothing is written into it

@@ -20,6 +20,11 @@ Profiles = Annotated[
     Path | None,
     typer.Option(metavar="DIR", help="Folder of EN 15302's profiles, RUIC519A/B/H/I.dat and SUIC519A.dat."),
 ]
+LmWheel = Annotated[
+    Path | None,
+    typer.Option(metavar="FILE", help="Wheel profile LM (TB/T 449): GZ18 in a curve against SIMPACK, too."),
+]
+NOT_RUN = "not run: GZ18 in a curve against SIMPACK: profile LM (TB/T 449) is not at hand (--lm-wheel FILE)"
 
 validate = typer.Typer(help="Compare the toolkit with outside numbers: all of it, or one section.")
 
@@ -37,11 +42,12 @@ def _all_by_default(context: typer.Context) -> None:
 
 
 @validate.command("all")
-def everything(profiles: Profiles = None) -> None:
+def everything(profiles: Profiles = None, lm_wheel: LmWheel = None) -> None:
     """All sections, one after the other; some minutes."""
     with output.errors_in_one_line():
-        _check_folder(profiles)
-        _print_verdict([row for name in SECTIONS for row in _compared(name, _section(name, profiles))])
+        _check_files(profiles, lm_wheel)
+        files = {"geometry": profiles, "vehicles": lm_wheel}
+        _print_verdict([row for name in SECTIONS for row in _compared(name, files.get(name))])
 
 
 @validate.command("contact")
@@ -53,7 +59,7 @@ def validate_contact() -> None:
 
         with output.status("comparing theories"):
             errors = contact_table()
-        rows = _compared("contact", lambda: [*theory_rows(errors), *coefficient_rows()])
+        rows = _shown("contact", lambda: [*theory_rows(errors), *coefficient_rows()])
         table = output.new_table(
             "Errors of the tangential theories against the exact half-space solution", COLUMNS
         )
@@ -86,22 +92,26 @@ def validate_halfspace() -> None:
 
 
 @validate.command("vehicles")
-def validate_vehicles() -> None:
+def validate_vehicles(lm_wheel: LmWheel = None) -> None:
     """Vehicles against weights, closed forms and other equations; the demo's curve against statics."""
-    _one("vehicles")
+    with output.errors_in_one_line():
+        _check_files(None, lm_wheel)
+        _print_verdict(_compared("vehicles", lm_wheel))
 
 
 def _one(name: str, profiles: Path | None = None) -> None:
     """One section as a command."""
     with output.errors_in_one_line():
-        _check_folder(profiles)
-        _print_verdict(_compared(name, _section(name, profiles)))
+        _check_files(profiles, None)
+        _print_verdict(_compared(name, profiles))
 
 
-def _check_folder(profiles: Path | None) -> None:
-    """Raise `BadInput` for a folder of profiles that is not there, before anything is computed."""
+def _check_files(profiles: Path | None, lm_wheel: Path | None) -> None:
+    """Raise `BadInput` for profiles that are not there, before anything is computed."""
     if profiles is not None and not profiles.is_dir():
         raise inputs.BadInput(f"--profiles {profiles}: there is no such folder")
+    if lm_wheel is not None and not lm_wheel.is_file():
+        raise inputs.BadInput(f"--lm-wheel {lm_wheel}: there is no such file")
 
 
 def _contact() -> "list[Comparison]":
@@ -130,10 +140,11 @@ def _halfspace() -> "list[Comparison]":
     return halfspace_table()
 
 
-def _vehicles() -> "list[Comparison]":
+def _vehicles(lm_wheel: Path | None = None) -> "list[Comparison]":
     from hh_exudyn.multibody.validation import vehicles_table
 
-    return vehicles_table()
+    with inputs.refused_as_bad_input():  # the file is no profile
+        return vehicles_table(lm_wheel)
 
 
 SECTIONS: "dict[str, tuple[str, Callable[..., list[Comparison]]]]" = {
@@ -145,13 +156,16 @@ SECTIONS: "dict[str, tuple[str, Callable[..., list[Comparison]]]]" = {
 }
 
 
-def _section(name: str, profiles: Path | None) -> "Callable[[], list[Comparison]]":
-    """What computes a section; only contact geometry has a folder of profiles."""
-    rows = SECTIONS[name][1]
-    return (lambda: rows(profiles)) if name == "geometry" else rows
+def _compared(name: str, file: Path | None) -> "list[Comparison]":
+    """Compare and print a section, with the profiles of others where it has some."""
+    compare = SECTIONS[name][1]
+    rows = _shown(name, compare if file is None else lambda: compare(file))
+    if name == "vehicles" and file is None:
+        output.print_line(NOT_RUN)
+    return rows
 
 
-def _compared(name: str, compare: "Callable[[], list[Comparison]]") -> "list[Comparison]":
+def _shown(name: str, compare: "Callable[[], list[Comparison]]") -> "list[Comparison]":
     """Compare and print a section."""
     with output.status(f"comparing {name}"):
         rows = compare()

@@ -130,7 +130,7 @@ def new(
 
         inputs.require_new_file(out, "-o", inputs.VEHICLES)
         with inputs.refused_as_bad_input():
-            text = template_of(template)
+            text = template_of(template, "" if out is None else out.stem)
         _write(text, out)
 
 

@@ -21,6 +21,7 @@
 `chatter`        wheels whose contact jumps from place to place, counted in windows
 `climb`          wheels that rise from their rail, or run on the flange alone
 `interruption`   Ctrl-C and SIGTERM while Exudyn integrates
+`viewer`         Exudyn's own renderer on the system of a run
 `recording`      rows of the logs
 `checkpoint`     state of a run between two segments of its integration, to resume from
 `provenance`     what a run was made from and with
@@ -32,6 +33,7 @@
 `hysteresis`     force over deflection of a bogie's friction elements in slow cycles
 `free_wheelset`  a wheelset that nothing guides, on cones
 `validation`     vehicles against closed forms and outside numbers, as rows of `hh-exudyn validate`
+`gz18_curve`     GZ18 against SIMPACK in a curve, among these rows
 ===============  ===================================================================================
 """
 

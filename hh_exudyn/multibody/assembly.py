@@ -177,24 +177,26 @@ def _brakes(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Brakes:
 def _couplings(vehicle: Vehicle, numbers: dict[str, int]) -> Couplings:
     positions = {body.name: np.array(body.position) for body in vehicle.bodies}
     couplings = vehicle.couplings
-    ends = [_ends(coupling) for coupling in couplings]
-    arms_a = [np.array(end) - positions[c.body_a] for (end, _), c in zip(ends, couplings, strict=True)]
-    arms_b = [np.array(end) - positions[c.body_b] for (_, end), c in zip(ends, couplings, strict=True)]
-    kind, records = packed(couplings, FAMILIES)
     spinning = {wheelset.body for wheelset in vehicle.wheelsets}
+    turned = [c.body_a in spinning and c.body_b not in spinning for c in couplings]
+    ends = [_ends(c)[:: -1 if over else 1] for c, over in zip(couplings, turned, strict=True)]
+    arms_a = [np.array(point) - positions[body] for (body, point), _ in ends]
+    arms_b = [np.array(point) - positions[body] for _, (body, point) in ends]
+    kind, records = packed(couplings, FAMILIES)
     return Couplings(
         kind=kind,
-        body_a=np.array([numbers[coupling.body_a] for coupling in couplings], dtype=np.int64),
-        body_b=np.array([numbers[coupling.body_b] for coupling in couplings], dtype=np.int64),
+        sense=np.where(turned, -1.0, 1.0),
+        body_a=np.array([numbers[body] for (body, _), _ in ends], dtype=np.int64),
+        body_b=np.array([numbers[body] for _, (body, _) in ends], dtype=np.int64),
         point_a=np.array(arms_a).reshape(-1, 3),  # a vehicle may have no couplings at all
         point_b=np.array(arms_b).reshape(-1, 3),
-        on_axle=np.array([coupling.body_b in spinning for coupling in couplings], dtype=np.int64),
+        on_axle=np.array([body in spinning for _, (body, _) in ends], dtype=np.int64),
         numbers=records,
     )
 
 
-def _ends(coupling: Coupling) -> tuple[Vector, Vector]:
-    """Points of a coupling on its bodies A and B on the drawing [m]."""
+def _ends(coupling: Coupling) -> tuple[tuple[str, Vector], tuple[str, Vector]]:
+    """Bodies A and B of a coupling, with its points on them on the drawing [m]."""
     if isinstance(coupling, Rod):
-        return coupling.point_a, coupling.point_b
-    return coupling.point, coupling.point
+        return (coupling.body_a, coupling.point_a), (coupling.body_b, coupling.point_b)
+    return (coupling.body_a, coupling.point), (coupling.body_b, coupling.point)

@@ -60,6 +60,18 @@ class BendingBody:
         return self.body.mass * self.length**3 * (2.0 * math.pi * self.frequency / _FIRST**2) ** 2
 
     @property
+    def rigid(self) -> Body:
+        """What it is without bending: the body with the pitch and yaw inertia of its uniform beam.
+
+        A stiff bending body moves as this one does; the given body's own inertia may be another one.
+        """
+        about = self.length**2 / 12 + _GYRATION**2
+        for support in self.supports:
+            about += 0.5 * SHARE * ((support - self.body.position[0]) ** 2 - self.length**2 / 12)
+        across = self.body.mass * about
+        return replace(self.body, inertia=(self.body.inertia[0], across, across))
+
+    @property
     def names(self) -> tuple[str, str]:
         """Of the two light bodies, rear one first."""
         return f"{self.body.name}_rear", f"{self.body.name}_front"

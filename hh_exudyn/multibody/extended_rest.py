@@ -176,6 +176,7 @@ class _Settling:
         system = exudyn_system(model, vehicle, q, v, self._forces, self._after_step, settings, placed=True)
         self._system = system
         self._extension(system)
+        system.mbs.Assemble()
         begin_from(system, state, np.zeros(3))
         self._before = system.mbs.systemData.GetODE2Coordinates(exu.ConfigurationType.Initial)
         self._before[: system.reference.size] += system.reference

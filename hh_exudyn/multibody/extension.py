@@ -60,14 +60,14 @@ def coordinates_of(system: ExudynSystem) -> dict[str, FloatArray]:
 
 
 def begin_from(system: ExudynSystem, state: dict[str, FloatArray], velocity: FloatArray) -> None:
-    """Assemble a system and set where it begins.
+    """Set where an assembled system begins.
 
     A state without the coordinates of the extension leaves these as its nodes were made; they then travel
     with the vehicle.
 
     Parameters
     ----------
-    system : not yet assembled
+    system : assembled
     state : ``q`` and ``v``, and where the extension's items are known too ``first_order`` and ``data``
     velocity : (3,) of the vehicle, for nodes that have a place in the global frame [m/s]
 
@@ -77,7 +77,6 @@ def begin_from(system: ExudynSystem, state: dict[str, FloatArray], velocity: Flo
         The extension has not added the same items as before.
     """
     mbs = system.mbs
-    mbs.Assemble()
     data, initial = mbs.systemData, exu.ConfigurationType.Initial
     q, v = data.GetODE2Coordinates(initial), data.GetODE2Coordinates_t(initial)
     own = system.reference.size

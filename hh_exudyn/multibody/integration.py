@@ -5,6 +5,7 @@ import math
 import time as clock
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -21,6 +22,7 @@ from hh_exudyn.multibody.interruption import Interruption
 from hh_exudyn.multibody.model import SystemModel, Workspace
 from hh_exudyn.multibody.recording import LogWriter
 from hh_exudyn.multibody.system import evaluate_bundle
+from hh_exudyn.multibody.viewer import Viewer
 from hh_exudyn.multibody.watch import REASONS, Trouble, look_bundle, watch_state, watched
 from vehicles.description import Vehicle
 
@@ -102,6 +104,8 @@ class Integration:
         self._steps = 0
         self._error: Exception | None = None
         self._interruption = Interruption()
+        self._viewer: Viewer | None = None
+        self._shown: ExudynSystem | None = None  # in the viewer: one for all segments
         self._progress: Progress | None = None
         self._next_progress = self._next_store = 0.0
         self.times = dict.fromkeys(_TIMES, 0.0)  # s
@@ -161,6 +165,25 @@ class Integration:
         # copied, as the run goes on while it is written
         recorder.flush(partial(checkpoint.copy().write, recorder.directory))
 
+    def show(self, viewer: Viewer) -> None:
+        """Show all that follows in a viewer, whose window opens now.
+
+        Parameters
+        ----------
+        viewer : of the case
+
+        Raises
+        ------
+        NoScreen
+            It does not open.
+        """
+        system = self.system(self._steps + 1)
+        viewer.dress(system)
+        system.mbs.Assemble()
+        begin_from(system, self._state, self._state["v"][:3])
+        viewer.open(system)
+        self._viewer, self._shown = viewer, system
+
     def run(self, log: LogWriter, progress: Progress | None) -> None:
         """Integrate to the end of the track.
 
@@ -186,6 +209,8 @@ class Integration:
         finally:
             exu.config.printToConsole = True
         self._interruption.raise_wanted()
+        if self._viewer is not None and self._viewer.closed:
+            raise KeyboardInterrupt
 
     def system(self, last: int) -> ExudynSystem:
         """The system for the steps up to a state, by its number; with the extension, not assembled.
@@ -195,6 +220,9 @@ class Integration:
         last : number of the state
         """
         settings = explicit_settings(self._steps, last, self._step)
+        if self._shown is not None:
+            self._system = replace(self._shown, settings=settings)
+            return self._system
         state = self._state
         forces, after_step = self._forces, self._after_step
         model, vehicle, placed = self._model, self._vehicle, self._placed
@@ -221,6 +249,7 @@ class Integration:
         SimulationStopped
             Derailment or divergence.
         """
+        system.mbs.Assemble()
         begin_from(system, self._state, self._state["v"][:3])
         try:
             system.mbs.SolveDynamic(system.settings, showHints=False)
@@ -234,6 +263,8 @@ class Integration:
         wall, within = clock.perf_counter(), self.times["kernel_s"] + self.times["python_s"]
         system = self.system(last)
         mbs = system.mbs
+        if self._shown is None:
+            mbs.Assemble()
         begin_from(system, self._state, self._state["v"][:3])
         try:
             mbs.SolveDynamic(system.settings, showHints=False)
@@ -341,4 +372,5 @@ class Integration:
     def _goes_on(self) -> bool:
         """Whether nothing has happened that ends the run before its time."""
         within = self._numbers["position"] < self._numbers["end"]
-        return self._error is None and not self._interruption.wanted and within
+        looked_at = self._viewer is None or not self._viewer.closed
+        return self._error is None and not self._interruption.wanted and within and looked_at

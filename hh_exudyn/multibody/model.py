@@ -69,9 +69,14 @@ SLIDERS = 6  # slider coordinates reserved for each coupling
 
 
 class Couplings(NamedTuple):
-    """All couplings of a vehicle as arrays, one row each."""
+    """All couplings of a vehicle as arrays, one row each.
+
+    Body A here has the axes. It is the description's, unless that is a wheelset: then the two are exchanged
+    and `sense` is -1.
+    """
 
     kind: IntArray  # (n,) number of the family in `couplings.dispatch.FAMILIES`
+    sense: FloatArray  # (n,) 1, or -1 where body A here is body B of the description
     body_a: IntArray  # (n,)
     body_b: IntArray  # (n,)
     point_a: FloatArray  # (n, 3) in the axes of body A from its centre of mass [m]

@@ -28,6 +28,7 @@ from hh_exudyn.multibody.interruption import Terminated
 from hh_exudyn.multibody.model import workspace
 from hh_exudyn.multibody.provenance import is_begun, provenance, require_same, write_provenance
 from hh_exudyn.multibody.recording import LogWriter
+from hh_exudyn.multibody.viewer import Viewer
 from vehicles.description import Vehicle
 
 __all__ = ["Progress", "SimulationStopped", "simulate"]
@@ -41,6 +42,7 @@ def simulate(
     vehicle: Vehicle | None = None,
     resume: bool = False,
     extend: Extension | None = None,
+    viewer: Viewer | None = None,
 ) -> Run:
     """Run a case and write its logs into a new or empty directory.
 
@@ -58,6 +60,7 @@ def simulate(
         without one there the run is a new one.
     extend : adds Exudyn items to the vehicle's system (`extension`). The folder has its name and the hash of
         its source, not the function: such a run cannot be repeated from its folder alone.
+    viewer : Exudyn's own window on the run; it changes no result, and closing it ends the run as Ctrl-C does
 
     Raises
     ------
@@ -69,6 +72,8 @@ def simulate(
         extension and has none, or names couplings that the vehicle has not; nothing was written.
     NoEquilibrium
         No static equilibrium at the start; nothing was written.
+    NoScreen
+        The viewer's window does not open; nothing was written.
     SimulationStopped
         Derailment or divergence; the log up to then is complete.
     KeyboardInterrupt, Terminated
@@ -107,6 +112,8 @@ def simulate(
         integration.times["equilibrium_s"] = clock.perf_counter() - start
     else:
         integration.go_on(stored)
+    if viewer is not None:
+        integration.show(viewer)
     if control is not None:
         status["curve_resistance_of_train"] = case.traction_or_default.curve_resistance
     if sealed(case, vehicle) != whole:
@@ -121,7 +128,7 @@ def simulate(
         names=names,
         resumed=None if not begun else {} if stored is None else stored.facts["rows"],
     )
-    with _ended(directory, status, integration), recorder:
+    with _ended(directory, status, integration), recorder, viewer or nullcontext():
         if stored is None:
             write_provenance(directory, made)
             write_inputs(directory, whole.files)

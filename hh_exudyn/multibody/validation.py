@@ -26,6 +26,7 @@ from hh_exudyn.log.wheel_forces import wheel_forces
 from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.equilibrium import FORCE_TOLERANCE, equilibrium
 from hh_exudyn.multibody.free_wheelset import CONICITY, RADIUS, conical_wheel, free_wheelset
+from hh_exudyn.multibody.gz18_curve import gz18_rows
 from hh_exudyn.multibody.linear.modes import LinearVehicle, critical_speed
 from hh_exudyn.multibody.model import workspace
 from hh_exudyn.multibody.simulate import simulate
@@ -40,9 +41,15 @@ _KLINGEL_SPEED = 10.0  # m/s: 0.6 Hz, where the wheelset's mass hardly matters
 _MODES_SPEED = 20.0  # m/s, of modes without creep
 
 
-def vehicles_table() -> list[Comparison]:
-    """All comparisons; some 20 s with the demo's run."""
-    return [row for part in _PARTS for row in part()]
+def vehicles_table(lm_wheel: Path | None = None) -> list[Comparison]:
+    """All comparisons; some 20 s with the demo's run.
+
+    Parameters
+    ----------
+    lm_wheel : file of the wheel profile LM (TB/T 449); without, GZ18 is not run
+    """
+    rows = [row for part in _PARTS for row in part()]
+    return rows if lm_wheel is None else [*rows, *gz18_rows(lm_wheel)]
 
 
 def straight_case(**changes: Any) -> Case:

@@ -57,6 +57,18 @@ def rotate_back(rotation: FloatArray, a: Triple) -> Triple:
 
 
 @kernel
+def times(factor: float, a: Triple) -> Triple:
+    """A vector by a factor.
+
+    Parameters
+    ----------
+    factor : number
+    a : vector
+    """
+    return factor * a[0], factor * a[1], factor * a[2]
+
+
+@kernel
 def triple(row: FloatArray) -> Triple:
     """The first three numbers of a row as a tuple.
 

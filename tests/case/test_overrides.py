@@ -64,7 +64,7 @@ FAULTS = {
     "iore_wagon_loaded; did you mean wedge.friction",
     ("sped_km_h", 3): "did you mean speed_km_h",
     ("wedge.friction", 5.0): "wedge.friction = 5 is no plausible friction: allowed 0 to 1",
-    ("wedge.friction", "many"): "wedge.friction = 'many': allowed is a finite number",
+    ("wedge.friction", "many"): "wedge.friction = 'many': allowed a number, a text as",
     ("wedge.slope", "2 kg"): "allowed",
     ("speed_km_h", "fast"): 'speed_km_h = "fast": allowed 5 to 130 km/h',
     ("track.sections[7].radius_m", 300): "there are 3 of these, counted from 0",

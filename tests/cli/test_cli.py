@@ -107,6 +107,23 @@ def test_bad_case_as_a_process(tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="other systems always have a screen")
+def test_the_viewer_without_a_screen_is_one_line_and_exit_code_1(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    (tmp_path / "short.toml").write_text(SHORT.to_toml())
+    words = ("run", tmp_path / "short.toml", "--out", tmp_path / "run", "--exudyn-viewer")
+    result = command(*words)
+    assert result.returncode == 1
+    assert "needs a screen, and neither DISPLAY nor WAYLAND_DISPLAY is set" in one_line(result.stderr)
+    assert not (tmp_path / "run").exists()
+    varied = call(*words, "--vary", "speed_km_h=40,60")
+    assert varied.exit_code == 2
+    assert "--exudyn-viewer shows one run" in one_line(varied.stderr)
+
+
 @pytest.mark.parametrize("words", [("run", "CASE"), ("demo",)])
 def test_folder_that_holds_anything_is_refused_before_any_work(
     tmp_path: Path, words: tuple[str, ...], monkeypatch: pytest.MonkeyPatch

@@ -122,6 +122,7 @@ def test_a_template_is_a_vehicle_with_an_explained_file(name: str, tmp_path: Pat
     said("new", name, "-o", path)
     assert path.read_text().startswith("# ")
     assert "Wheelsets at rest" in said("show", path)
+    assert read_whole(path).name == "mine"  # after its file
     assert max(len(line) for line in path.read_text().splitlines() if line.startswith("#")) <= 120
 
 

@@ -24,24 +24,21 @@ import csv
 from pathlib import Path
 
 import numpy as np
-import pyarrow.dataset as dataset
 import pytest
+from command_line import call, refused
 
 from hh_exudyn.case import Case
+from hh_exudyn.contact.comparison import outside_rows
 from hh_exudyn.multibody.assembly import assemble
 from hh_exudyn.multibody.equilibrium import equilibrium
+from hh_exudyn.multibody.gz18_curve import gz18_rows
 from hh_exudyn.multibody.model import BODY_COORDINATES, workspace
-from hh_exudyn.multibody.simulate import simulate
 from hh_exudyn.multibody.system import evaluate
 from vehicles.catalogue import vehicle
 from vehicles.description import Vehicle
 from vehicles.statics import axle_loads
 
 WHEEL_LOAD = 68_295.99  # N, of the source's own starting state
-PREFIX = {"FF": 1, "FR": 2, "RF": 3, "RR": 4}
-ASKED = {"lat": 0.05, "yaw": 0.03, "N": 0.15, "Tx": 0.2, "Ty": 0.2}  # mm, mrad, kN
-PEAKS = 0.03  # of the peak, beside the reading uncertainty
-BEYOND = {("FR", "R", "Ty", "min")}  # known: -0.73 against -0.63 kN of a force of -0.6 to 5.4 kN
 
 
 @pytest.fixture(scope="module")
@@ -71,84 +68,32 @@ def test_it_is_drawn_loaded(gz18: Vehicle, demo: Case) -> None:
     assert 0.0 < lower[0] < 0.5e-3
 
 
-CURVE = """
-name = "GZ18 in a curve of 300 m"
-vehicle = "gz18"
-speed_km_h = 60.0
-wheel_profile = "lm_wheel.txt"
-back_to_back_mm = 1353.0
-free_rolling = true
-start_m = 12.0
-
-[friction]
-tread = 0.3
-gauge_corner = 0.3
-flange = 0.3
-falling = { ratio = 0.4, decrease_s_per_m = 0.55 }
-
-[track]
-rail = "60E1"
-inclination = "1:40"
-flexibility = "rigid"
-gauge_depth_mm = 16.0
-cant_ramp_slope = false
-sections = [
-    { kind = "straight", length_m = 62.0 },
-    { kind = "transition", shape = "bloss", length_m = 50.0 },
-    { kind = "curve", length_m = 62.0, radius_m = 300.0, hand = "right", cant_mm = 120.0 },
-]
-
-[contact]
-normal = "equivalent_elastic"
-theory = "fastsim"
-cells = [21, 21]
-damping_s_per_m = 1.75
-young_modulus_GPa = 210.0
-poisson_ratio = 0.28
-"""
-
-
-@pytest.fixture(scope="module")
-def curve(shared_reference: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, np.ndarray]:
-    """The contact log of the run, by columns."""
-    case = Case.from_toml(CURVE, folder=shared_reference / "gz18")
-    run = simulate(case, tmp_path_factory.mktemp("gz18") / "run")
-    table = dataset.dataset(str(run.directory / "contact")).to_table()
-    return {name: table[name].to_numpy() for name in table.column_names}
-
-
-def signal(log: dict[str, np.ndarray], row: dict[str, str]) -> tuple[np.ndarray, np.ndarray]:
-    """Times [s] and values of a quantity of the reference, in its units and with its signs, patches added."""
-    mine = log["wheelset"] == PREFIX[row["wheelset"]]
-    mine &= log["side"] == (-1 if row["wheel"] == "R" else 1)
-    times, index = np.unique(log["time"][mine], return_inverse=True)
-    column, factor, added = {
-        "lat": ("y_wheelset", -1e3, False),
-        "yaw": ("angle_of_attack", -1e3, False),
-        "N": ("normal_force", 1e-3, True),
-        "Tx": ("force_x", 1e-3, True),
-        "Ty": ("force_y", -1e-3, True),
-    }[row["quantity"]]
-    values = np.bincount(index, factor * log[column][mine])
-    return times, values if added else values / np.bincount(index)
-
-
 @pytest.mark.slow
-def test_simpacks_curve(curve: dict[str, np.ndarray], shared_reference: Path) -> None:
+def test_simpacks_curve(shared_reference: Path) -> None:
     """Steady values at 8.2 to 9.0 s and the peaks of the transition."""
+    rows = gz18_rows(shared_reference / "gz18" / "lm_wheel.txt")
+    assert len(rows) == 10
+    assert [row.quantity for row in rows if not row.holds] == [], rows
+
+
+def test_the_reference_is_that_of_the_shared_folder(shared_reference: Path) -> None:
     with (shared_reference / "gz18" / "simpack_r300_read_off.csv").open(encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    assert len(rows) == 32
-    wrong = []
-    for row in rows:
-        name = (row["wheelset"], row["wheel"], row["quantity"])
-        times, values = signal(curve, row)
-        steady = values[(times >= 8.2) & (times <= 9.0)].mean()
-        if not abs(steady - float(row["steady_8.2_9.0s"])) < ASKED[row["quantity"]]:
-            wrong.append((*name, "steady", steady))
-        before = values[times < 9.0]
-        for end, peak in (("min", before.min()), ("max", before.max())):
-            expected = float(row[f"{end}_before_9s"])
-            if not abs(peak - expected) < PEAKS * abs(expected) + float(row["uncertainty"]):
-                wrong.append((*name, end, peak))
-    assert {key[:4] for key in wrong} <= BEYOND, wrong
+        source = [list(row.values()) for row in csv.DictReader(file)]
+    ours = [list(row.values()) for row in outside_rows("gz18_curve.csv")]
+    assert len(ours) == len(source) == 32
+    for mine, (wheelset, wheel, quantity, _, steady, _, low, _, high, _, uncertainty) in zip(
+        ours, source, strict=True
+    ):
+        number = str(("FF", "FR", "RF", "RR").index(wheelset) + 1)
+        assert mine == [number, wheel, quantity, steady, low, high, uncertainty]
+
+
+def test_without_the_profile_it_is_not_run(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr("hh_exudyn.multibody.validation._PARTS", ())
+    result = call("validate", "vehicles")
+    assert result.exit_code == 0
+    assert "not run: GZ18" in result.stdout
+    assert "profile LM (TB/T 449) is not at hand (--lm-wheel FILE)" in result.stdout
+    assert "there is no such file" in refused("validate", "vehicles", "--lm-wheel", tmp_path / "lm.txt")
+    (tmp_path / "lm.txt").write_text("no profile")
+    assert "lm.txt" in refused("validate", "vehicles", "--lm-wheel", tmp_path / "lm.txt")

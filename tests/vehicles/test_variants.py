@@ -96,7 +96,10 @@ FAULTS = {  # contents of the file: what the one line says
     'base = "iore_wagon_loaded"\nwedge.slope = { unit = "deg" }': ["wedge.slope", "value, unit and source"],
     'base = "iore_wagon_loaded"\nwedge.slope = { value = 36, note = "" }': ["value, unit and source"],
     'base = "iore_wagon_loaded"\nwedge.slope = { value = 36, source = "told" }': ["'told'", "published"],
-    'base = "iore_wagon_loaded"\nwedge.friction = "0.3"': ["wedge.friction = '0.3'", "finite number"],
+    'base = "iore_wagon_loaded"\nwedge.friction = "a third"': [
+        "wedge.friction = 'a third'",
+        'a text as "1.5 kN"',
+    ],
     'base = "iore_wagon_loaded"\nwedge.friction = true': ["wedge.friction = True", "finite number"],
     'base = "iore_wagon_loaded"\nwedge.friction = nan': ["wedge.friction = nan", "finite number"],
     'base = "iore_wagon_loaded"\nwedge.friction = 0.9': ["wedge_1L_front jams", "0.9"],
@@ -186,3 +189,29 @@ def test_own_tables_are_checked_as_those_of_the_toolkit():
             read_parameters({"body": {"mass": entry}}, "mine", "mine.toml")
     with pytest.raises(ValueError, match=r"mine\.toml: body is not a table"):
         read_parameters({"body": 3.0}, "mine", "mine.toml")
+
+
+def test_a_text_with_its_unit_is_a_number(tmp_path):
+    """As in files of whole vehicles: "20 MN/m" is { value = 20, unit = "MN/m" }."""
+    path = tmp_path / "stiff.toml"
+    path.write_text('base = "iore_wagon_loaded"\naxle_box_pad.longitudinal_stiffness = "20 MN/m"')
+    assert read_variant(path).parameters()["axle_box_pad.longitudinal_stiffness"] == 20e6
+    path.write_text('base = "iore_wagon_loaded"\naxle_box_pad.longitudinal_stiffness = "20 MN"')
+    with pytest.raises(ValueError, match=r'axle_box_pad\.longitudinal_stiffness is in "MN": allowed "N/m"'):
+        read_variant(path)
+
+
+def test_half_a_name_brings_all_that_end_so(tmp_path):
+    path = tmp_path / "stiff.toml"
+    path.write_text('base = "iore_wagon_loaded"\naxle_box_pad.stiffness = 2e7')
+    with pytest.raises(
+        ValueError, match=r"did you mean one of axle_box_pad\.longitudinal_stiffness, axle_box_"
+    ):
+        read_variant(path)
+
+
+def test_kilonewtons_without_their_unit_are_told_how_to_say_it(tmp_path):
+    path = tmp_path / "stiff.toml"
+    path.write_text('base = "iore_wagon_loaded"\naxle_box_pad.longitudinal_stiffness = 20')
+    with pytest.raises(ValueError, match=r'no plausible stiffness: .*; with a unit: "20 kN/m" or MN/m'):
+        read_variant(path)

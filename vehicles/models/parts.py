@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import fields
+from dataclasses import MISSING, fields
 from typing import Any, TypeVar
 
 from hh_exudyn.sourced import ParameterSet
@@ -55,7 +55,7 @@ def in_directions(p: ParameterSet, part: str, quantity: str) -> Vector:
 def filled(kind: type[_Part], p: ParameterSet, part: str, **given: Any) -> _Part:
     """A coupling: every field that is not given is the part's parameter of the field's name.
 
-    Raises KeyError for a field that neither has.
+    Raises KeyError for a field that neither has, and that has no default.
 
     Parameters
     ----------
@@ -64,7 +64,12 @@ def filled(kind: type[_Part], p: ParameterSet, part: str, **given: Any) -> _Part
     part : name of a part in them
     given : values of fields that are not parameters
     """
-    numbers = {field.name: p[f"{part}.{field.name}"] for field in fields(kind) if field.name not in given}  # type: ignore[arg-type]
+    missing = [field for field in fields(kind) if field.name not in given]  # type: ignore[arg-type]
+    numbers = {
+        field.name: p[f"{part}.{field.name}"]
+        for field in missing
+        if field.default is MISSING or f"{part}.{field.name}" in p
+    }
     return kind(**given, **numbers)
 
 

@@ -17,12 +17,13 @@ from collections.abc import Iterator, Mapping
 from typing import Any, get_args
 
 from hh_exudyn.sourced import Parameter, made
+from vehicles.quantities import require_plausible
 from vehicles.units import converted
 from vehicles.whole.layout import is_vector
 
 _WITH_UNIT = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S.*?)?\s*")
 _KEYS = {"value", "unit", "source", "confirmed", "range"}
-_FORMS = 'a number, a text as "1.5 kN", or a table of value, unit and source'
+FORMS = 'a number, a text as "1.5 kN", or a table of value, unit and source'
 _AXES = "xyz"
 
 
@@ -43,20 +44,22 @@ def number(name: str, given: Any, unit: str, source: str) -> Parameter:
     Raises
     ------
     ValueError
-        It is in none of the forms, in a unit that does not convert, or not finite.
+        It is in none of the forms, in a unit that does not convert, not finite, or without a unit and not
+        plausible in SI.
     """
     stated = dict(given) if isinstance(given, Mapping) else {"value": given}
     if "value" not in stated or set(stated) - _KEYS:
-        raise ValueError(f"{name} = {dict(given)!r}: allowed {_FORMS}")
+        raise ValueError(f"{name} = {dict(given)!r}: allowed {FORMS}")
     value = stated.pop("value")
     other = stated.pop("unit", unit)
+    stating = "unit" in given if isinstance(given, Mapping) else False
     if isinstance(value, str):
-        found = _WITH_UNIT.fullmatch(value)
-        if found is None or ("unit" in given if isinstance(given, Mapping) else False):
-            raise ValueError(f"{name} = {value!r}: allowed {_FORMS}")
-        value, other = float(found[1]), found[2] or unit
+        found = with_unit(value)
+        if found is None or stating:
+            raise ValueError(f"{name} = {value!r}: allowed {FORMS}")
+        value, other, stating = found[0], found[1] or unit, bool(found[1])
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise ValueError(f"{name} = {value!r}: allowed {_FORMS}")
+        raise ValueError(f"{name} = {value!r}: allowed {FORMS}")
     if not isinstance(other, str):
         raise ValueError(f"{name}: unit = {other!r}: allowed a text")
     exact = made(name, value=float(value), unit=unit, source=stated.pop("source", source))
@@ -67,7 +70,16 @@ def number(name: str, given: Any, unit: str, source: str) -> Parameter:
             stated["range"] = [converted(float(end), other, unit) for end in span]
     except (TypeError, ValueError) as error:
         raise ValueError(f"{name} is {error}") from None
-    return made(name, value=si, unit=unit, source=exact.source, **stated)
+    result = made(name, value=si, unit=unit, source=exact.source, **stated)
+    if not stating and unit != "m":  # places may be anywhere
+        require_plausible(result)
+    return result
+
+
+def with_unit(text: str) -> tuple[float, str] | None:
+    """Value and unit of a text as "1.5 kN", the unit empty where there is none; None for another text."""
+    found = _WITH_UNIT.fullmatch(text)
+    return None if found is None else (float(found[1]), found[2] or "")
 
 
 def row(name: str, given: Any, hint: Any, units: tuple[str, ...], source: str) -> Any:

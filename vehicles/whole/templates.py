@@ -1,13 +1,16 @@
 """Files to start a vehicle from: a whole vehicle each, with a head that explains the grammar."""
 
 import difflib
+import re
 from collections.abc import Callable
+from dataclasses import replace
 from importlib.resources import files
 
 from vehicles.catalogue import vehicle_names
 from vehicles.variants import find_variant
 from vehicles.whole.writing import to_toml
 
+_NAME = re.compile(r'^name = ".*"$', re.MULTILINE)
 _Y25 = "y25_wagon_loaded"
 _GRAMMAR = """Lists place the bodies, couplings and wheelsets on the drawing: x forward from the middle, y to
 the left, z up from the rail tops, in metres, all springs unloaded. Equal entries share a part, a table [name]
@@ -24,7 +27,8 @@ def _catalogued(vehicle: str, title: str) -> str:
     """The vehicle of the catalogue as the file of another one."""
     written = f'written from {vehicle}; a source "derived: from ..." names numbers of that'
     head = f"{title}\n{written}\n\n{_GRAMMAR}"
-    return to_toml(find_variant(vehicle).document(), head)
+    document = find_variant(vehicle).document()
+    return to_toml(replace(document, source=f"assumed: as in {vehicle}, or changed without a source"), head)
 
 
 def _tank_wagon() -> str:
@@ -48,8 +52,15 @@ TEMPLATES: dict[str, Callable[[], str]] = {
 """Text of every template by name."""
 
 
-def template(name: str) -> str:
+def template(name: str, called: str = "") -> str:
     """The text of a template.
+
+    Parameters
+    ----------
+    name : str
+        Of the template.
+    called : str
+        Name of the vehicle in it, in place of its own.
 
     Raises
     ------
@@ -60,4 +71,5 @@ def template(name: str) -> str:
         near = difflib.get_close_matches(name, TEMPLATES, n=1, cutoff=0.6)
         hint = f'; did you mean "{near[0]}"?' if near else ""
         raise ValueError(f"template {name!r} is not known; known: {', '.join(TEMPLATES)}{hint}")
-    return TEMPLATES[name]()
+    text = TEMPLATES[name]()
+    return _NAME.sub(f'name = "{called}"', text, count=1) if called else text

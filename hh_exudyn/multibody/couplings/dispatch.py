@@ -3,6 +3,10 @@
 A coupling's displacement is that of its point on body B relative to body A, in the axes of A; force and
 moment act on B there, and their opposites on A at the same place, so that no coupling generates energy. On a
 wheelset stands an axle box: it does not spin, and its bearings pass no moment about the axle.
+
+A coupling described with a wheelset as body A has the two exchanged here, as the axes of A must not spin. Its
+law still gets and returns what is B's of the description: displacement, rate and rotation of the one relative
+to the other are the opposites (its `sense`) of those of the exchanged bodies, and so are force and moment.
 """
 
 from hh_exudyn.arrays import FloatArray
@@ -15,10 +19,11 @@ from hh_exudyn.multibody.couplings.family import (
     matrix,
     one_law,
     spin_free,
+    turned_back,
     without,
 )
 from hh_exudyn.multibody.model import SLIDERS, CouplingRecord, Couplings, Ledger, Workspace
-from hh_exudyn.multibody.vectors import add_to, cross, rotate, rotate_back, triple
+from hh_exudyn.multibody.vectors import add_to, cross, rotate, rotate_back, times, triple
 
 FAMILIES: tuple[Family, ...] = (
     *general.FAMILIES,
@@ -49,6 +54,7 @@ def coupling_forces(
     for i in range(couplings.kind.size):
         a = couplings.body_a[i]
         b = couplings.body_b[i]
+        sense = couplings.sense[i]
         rotation_a = work.rotation[a]
         arm_b = rotate(work.rotation[b], triple(couplings.point_b[i]))
         arm_a = (
@@ -57,10 +63,13 @@ def coupling_forces(
             work.position[b, 2] + arm_b[2] - work.position[a, 2],
         )
         local = rotate_back(rotation_a, arm_a)
-        displacement = (
-            local[0] - (couplings.point_a[i, 0] + inputs.coupling_shift[i]),
-            local[1] - couplings.point_a[i, 1],
-            local[2] - couplings.point_a[i, 2],
+        displacement = times(
+            sense,
+            (
+                local[0] - (couplings.point_a[i, 0] + inputs.coupling_shift[i]),
+                local[1] - couplings.point_a[i, 1],
+                local[2] - couplings.point_a[i, 2],
+            ),
         )
         swing_a = cross(triple(work.angular_velocity[a]), arm_a)
         swing_b = cross(triple(work.angular_velocity[b]), arm_b)
@@ -81,11 +90,13 @@ def coupling_forces(
         axle = (work.rotation[b, 0, 1], work.rotation[b, 1, 1], work.rotation[b, 2, 1])
         if couplings.on_axle[i]:
             rotation_b, turn = spin_free(work.rotation[b], rotation_a), without(turn, axle)
+        if sense < 0.0:
+            rotation_b = turned_back(matrix(rotation_a), rotation_b)
         before = sliders[i]
         reaction = _law(
             couplings.kind[i],
             couplings.numbers[i],
-            Motion(displacement, rate, turn, matrix(rotation_a), rotation_b),
+            Motion(displacement, times(sense, rate), times(sense, turn), matrix(rotation_a), rotation_b),
             Condition(
                 (before[0], before[1], before[2], before[3], before[4], before[5]),
                 settle,
@@ -104,8 +115,8 @@ def coupling_forces(
             record[CouplingRecord.FORCE_X + axis] = reaction.force[axis]
             record[CouplingRecord.MOMENT_X + axis] = reaction.moment[axis]
             record[CouplingRecord.DISPLACEMENT_X + axis] = displacement[axis]
-        force = rotate(rotation_a, reaction.force)
-        moment = rotate(rotation_a, reaction.moment)
+        force = times(sense, rotate(rotation_a, reaction.force))
+        moment = times(sense, rotate(rotation_a, reaction.moment))
         if couplings.on_axle[i]:
             moment = without(moment, axle)
         add_to(work.force[b], force, 1.0)

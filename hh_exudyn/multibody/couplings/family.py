@@ -189,6 +189,29 @@ def spin_free(rotation_b: FloatArray, rotation_a: FloatArray) -> Matrix:
 
 
 @inlined_kernel
+def turned_back(rotation_a: Matrix, rotation_b: Matrix) -> Matrix:
+    """Axes that are turned from those of A by the opposite of the rotation from A to B: A B^T A.
+
+    Parameters
+    ----------
+    rotation_a, rotation_b : to global axes
+    """
+    a0, a1, a2 = rotation_a
+    b0, b1, b2 = rotation_b
+    between = (  # A B^T
+        (dot(a0, b0), dot(a0, b1), dot(a0, b2)),
+        (dot(a1, b0), dot(a1, b1), dot(a1, b2)),
+        (dot(a2, b0), dot(a2, b1), dot(a2, b2)),
+    )
+    x, y, z = (a0[0], a1[0], a2[0]), (a0[1], a1[1], a2[1]), (a0[2], a1[2], a2[2])
+    return (
+        (dot(between[0], x), dot(between[0], y), dot(between[0], z)),
+        (dot(between[1], x), dot(between[1], y), dot(between[1], z)),
+        (dot(between[2], x), dot(between[2], y), dot(between[2], z)),
+    )
+
+
+@inlined_kernel
 def without(vector: Triple, axle: Triple) -> Triple:
     """A vector less its part along an axle, that bearings do not pass on.
 

@@ -31,6 +31,7 @@ class LenoirNumbers(NamedTuple):
     longitudinal_clearance: float
     lateral_clearance: float
     stop_stiffness: float
+    compression: float
 
 
 @inlined_kernel
@@ -43,11 +44,12 @@ def lenoir(p: LenoirNumbers, motion: Motion, condition: Condition) -> Reaction:
     """
     d, v, slider = motion.displacement, motion.rate, condition.slider
     off_guide = p.direction * d[0]
+    rise = p.compression + d[2]
     plain = (1.0 - p.link_share) * two_stage_spring(
-        d[2], p.first_stiffness, p.second_stiffness, p.second_from
+        rise, p.first_stiffness, p.second_stiffness, p.second_from
     )
     hung = p.link_share * two_stage_spring(
-        d[2] + p.tangent * off_guide, p.first_stiffness, p.second_stiffness, p.second_from
+        rise + p.tangent * off_guide, p.first_stiffness, p.second_stiffness, p.second_from
     )
     plunger = p.tangent * hung
     guide = p.guide_stiffness * max(-off_guide, 0.0)
@@ -97,6 +99,7 @@ class LinkNumbers(NamedTuple):
     longitudinal_clearance: float
     lateral_clearance: float
     stop_stiffness: float
+    compression: float
 
 
 @inlined_kernel
@@ -121,9 +124,8 @@ def double_link(p: LinkNumbers, motion: Motion, condition: Condition) -> Reactio
     """
     d, v, slider = motion.displacement, motion.rate, condition.slider
     x, y = d[0] / p.longitudinal_length, d[1] / p.lateral_length
-    load = two_stage_spring(
-        d[2] + 0.5 * (x * d[0] + y * d[1]), p.first_stiffness, p.second_stiffness, p.second_from
-    )
+    rise = p.compression + d[2] + 0.5 * (x * d[0] + y * d[1])
+    load = two_stage_spring(rise, p.first_stiffness, p.second_stiffness, p.second_from)
     bound_x, bound_y, bound_z = (
         p.longitudinal_friction * load,
         p.lateral_friction * load,

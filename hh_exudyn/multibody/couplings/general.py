@@ -103,6 +103,7 @@ class AxleBoxNumbers(NamedTuple):
     longitudinal_clearance: float
     lateral_clearance: float
     stop_stiffness: float
+    compression: float
 
 
 @inlined_kernel
@@ -112,8 +113,9 @@ def axle_box(p: AxleBoxNumbers, motion: Motion, condition: Condition) -> Reactio
     Arguments: see the head of this file.
     """
     d, v = motion.displacement, motion.rate
-    spring = p.stiffness[2] * max(d[2], 0.0)
-    load = max(spring + p.damping[2] * v[2], 0.0) if d[2] > 0.0 else 0.0
+    compression = p.compression + d[2]
+    spring = p.stiffness[2] * max(compression, 0.0)
+    load = max(spring + p.damping[2] * v[2], 0.0) if compression > 0.0 else 0.0
     force_x, force_y, slider_x, slider_y = shear_friction(
         motion,
         (p.stiffness[0], p.stiffness[1]),
@@ -205,6 +207,7 @@ class BumpStopNumbers(NamedTuple):
     """Numbers of a `BumpStop`."""
 
     axis: Vector
+    preload: float
     odd: float  # 1 with a table for both directions, else 0
     points: float  # of the table
     flat_table: Annotated[FloatArray, 2 * LARGEST_TABLE]  # displacement [m], force [N], ...; zeros
@@ -229,6 +232,7 @@ def bump_stop(p: BumpStopNumbers, motion: Motion, condition: Condition) -> React
         force = tabulated_stop(-along, p.flat_table, int(p.points))
     else:
         force = -tabulated_stop(along, p.flat_table, int(p.points))
+    force += p.preload
     return Reaction(
         (force * axis[0], force * axis[1], force * axis[2]),
         (0.0, 0.0, 0.0),

@@ -24,6 +24,7 @@ class ArmNumbers(NamedTuple):
     lateral_stiffness: float
     along_damping: float
     lateral_damping: float
+    preload: float
 
 
 def _arm_numbers(arm: AxleBoxArm) -> dict[str, float]:
@@ -56,7 +57,7 @@ def arm(p: ArmNumbers, motion: Motion, condition: Condition) -> Reaction:
     length = math.sqrt(dot(level, level))
     ahead = (level[0] / length, level[1] / length, level[2] / length)
     length_rate = -dot(v, ahead) - aside * dot(swing, ahead)
-    pull = p.along_stiffness * (length - p.length) + p.along_damping * length_rate
+    pull = p.preload + p.along_stiffness * (length - p.length) + p.along_damping * length_rate
     side = p.lateral_stiffness * aside + p.lateral_damping * aside_rate
     force = (
         pull * ahead[0] + side * axle[0],

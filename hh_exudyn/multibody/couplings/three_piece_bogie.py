@@ -52,6 +52,7 @@ class NestNumbers(NamedTuple):
     stop_stiffness: float
     rotation_clearance: float
     rotation_stop_stiffness: float
+    compression: float
 
 
 @inlined_kernel
@@ -65,7 +66,7 @@ def nest(p: NestNumbers, motion: Motion, condition: Condition) -> Reaction:
     power += p.shear_damping * (v[0] ** 2 + v[1] ** 2) + p.vertical_damping * v[2] ** 2
     power += p.roll_damping * turn[0] ** 2 + p.pitch_damping * turn[1] ** 2
     power += p.warp_damping * turn[2] ** 2
-    spring = two_stage_spring(-d[2], p.first_stiffness, p.second_stiffness, p.second_from)
+    spring = two_stage_spring(p.compression - d[2], p.first_stiffness, p.second_stiffness, p.second_from)
     stop = clearance_stop(d[1], p.stop_clearance, p.stop_stiffness)
     lug = clearance_stop(angle[2], p.rotation_clearance, p.rotation_stop_stiffness)
     return Reaction(
@@ -197,6 +198,7 @@ class PlateNumbers(NamedTuple):
     rim_clearance: float
     rim_stiffness: float
     spherical: float  # 1 or 0
+    compression: float
 
 
 @inlined_kernel
@@ -220,7 +222,7 @@ def plate(p: PlateNumbers, motion: Motion, condition: Condition) -> Reaction:
     for k in range(RING_X.size):
         x = reach * RING_X[k]
         y = reach * RING_Y[k]
-        compression = -(d[2] + angle[0] * y - angle[1] * x)
+        compression = p.compression - (d[2] + angle[0] * y - angle[1] * x)
         if compression > 0.0:
             compression_rate = -(v[2] + turn[0] * y - turn[1] * x)
             force = max(stiffness * compression + damping * compression_rate, 0.0)

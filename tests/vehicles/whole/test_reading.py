@@ -162,7 +162,7 @@ FAULTS = {
     "no body named chassis": put("couplings", 0, "body_a", "chassis"),
     "frame.position_x is given twice": put("bodies", 1, "name", "frame"),
     "kind of body frame is 'cart'; allowed: car_body": put("frame", "kind", "cart"),
-    "mass -1.0 kg": put("frame", "mass", -1.0),
+    "frame.mass = -1 kg is no plausible mass": put("frame", "mass", -1.0),
     "dimensions.wheelbase = [3]: allowed a number": put("dimensions", "wheelbase", [3]),
 }
 
