@@ -28,7 +28,7 @@ RAILS = FrictionCase(**DRY, sections=(WET,))
 
 def demand(speed: float, gradient: float) -> float:
     """Effort of all units together that keeps the speed of the whole train [N]."""
-    train = TractionCase().train(UNIT.mass, 22.89, lambda s: gradient + 0 * s, lambda s: 0 * s)
+    train = TractionCase().train(UNIT, lambda s: gradient + 0 * s, lambda s: 0 * s)
     own = UNIT.mass * (1e-3 * locomotive_resistance(speed) + GRAVITY * gradient)
     return own + train.resisting_force(0.0, speed)
 

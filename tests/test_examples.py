@@ -126,21 +126,22 @@ def test_curving(tmp_path: Path) -> None:
     assert {path.name for path in tmp_path.iterdir()} == {"R400", "R1500", "curving.png"}
 
 
-def test_two_axle_wagon(tmp_path: Path) -> None:
-    """Both wheelsets carry the wagon; in the left-hand curve the right wheels carry more, and the leading
-    wheelset runs under-radial, its nose towards the outer rail."""
-    text = run("07_two_axle_wagon.py", tmp_path)
-    assert text.startswith("two_axle_wagon, 20.0 t, ")
-    rows = re.findall(
-        r"wheelset \d: Q ([\d.]+) / ([\d.]+) kN, Y \S+ / \S+ kN, .* (-?[\d.]+) mrad$", text, re.M
-    )
+def test_y25_wagon(tmp_path: Path) -> None:
+    """Python and file give one wagon; in the left-hand curve the right wheels carry more, and the leading
+    wheelset of each bogie is turned towards the outer rail, the trailing one less."""
+    text = run("07_y25_wagon.py", tmp_path)
+    assert "the same from its file: True" in text
+    rows = re.findall(r"wheelset \d: Q ([\d.]+) / ([\d.]+) kN, angle of attack (-?[\d.]+) mrad", text)
     loads = [(float(left), float(right)) for left, right, _ in rows]
-    assert len(loads) == 2
-    assert sum(map(sum, loads)) == pytest.approx(20.0 * 9.81, rel=0.02)  # the cant adds some 0.3 %
+    assert len(loads) == 4
+    assert sum(map(sum, loads)) == pytest.approx(90.0 * 9.81, rel=0.02)  # the cant adds some 0.3 %
     assert all(right > left for left, right in loads)
-    leading, trailing = (float(attack) for *_, attack in rows)
-    assert leading < -1.0 < trailing
-    assert {path.name for path in tmp_path.iterdir()} == {"run", "wagon.png"}
+    attack = [float(angle) for *_, angle in rows]
+    for leading, trailing in ((0, 1), (2, 3)):
+        assert attack[leading] < min(attack[trailing] - 1.0, 0.0)
+    # bowl and side bearers rub: they hold the leading bogie outwards, the trailing one inwards
+    assert attack[0] < attack[2] - 1.0
+    assert {path.name for path in tmp_path.iterdir()} == {"run", "wagon.png", "y25.toml"}
 
 
 def test_locomotive(tmp_path: Path) -> None:

@@ -160,6 +160,15 @@ class Vehicle:
         """Numbers of its units, from the leading one; they are the logs' vehicles."""
         return tuple(dict.fromkeys(wheelset.unit for wheelset in self.wheelsets))
 
+    @property
+    def wheelset_places(self) -> tuple[tuple[int, int, int], ...]:
+        """Of every wheelset its unit, its bogie and its number, both within the unit."""
+        units = [wheelset.unit for wheelset in self.wheelsets]
+        return tuple(
+            (wheelset.unit, wheelset.bogie, 1 + units[:place].count(wheelset.unit))
+            for place, wheelset in enumerate(self.wheelsets)
+        )
+
     def unit_of(self, body: str) -> int:
         """The unit of a body: the one whose wheelsets have their middle nearest to it."""
         place = self.body(body).position[0]

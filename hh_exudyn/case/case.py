@@ -27,7 +27,7 @@ from hh_exudyn.case.fields import CaseTable, number
 from hh_exudyn.case.files import start_at
 from hh_exudyn.case.friction import FrictionCase
 from hh_exudyn.case.track import TrackCase
-from hh_exudyn.case.traction import SteeringCase, TractionCase
+from hh_exudyn.case.traction import SteeringCase, TractionCase, require_drives
 from hh_exudyn.case.train import BrakeCase, TrainCase
 from hh_exudyn.case.vehicle import VehicleField, described, resolved
 from hh_exudyn.case.wheels import WheelProfilesCase, read_wheel, wheel_names, widest_flanges
@@ -181,9 +181,8 @@ class Case(CaseTable):
     @model_validator(mode="after")
     def _check_drives(self) -> Self:
         """Only a vehicle with drives has a driver and steering actuators."""
-        for name in ("traction", "steering"):
-            if getattr(self, name) is not None and not self.described_vehicle().drives:
-                raise ValueError(f"{name} given: vehicle {self.described_vehicle().name} has no drives")
+        if self.traction is not None or self.steering is not None:
+            require_drives(self.described_vehicle(), self.traction, self.steering)
         return self
 
     @model_validator(mode="after")

@@ -8,6 +8,8 @@
     [traction]
     trailing_wagons = 68
     units = 2
+
+With ``vehicle = "iore_locomotive_pair"`` both units are simulated.
 """
 
 from collections.abc import Callable
@@ -17,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hh_exudyn.case.fields import CaseTable, number
+from vehicles.description import Vehicle
 from vehicles.traction.driver import DriverOrders
 from vehicles.traction.train import TrailingTrain
 
@@ -28,12 +31,12 @@ _Course = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 class TractionCase(CaseTable):
     """Orders to the driver, and the train on the coupler. Defaults: the ore train of the thesis.
 
-    `units` locomotives share the effort; the first one is simulated, the others are masses of the train with
-    an effort of their own. `set_speed_km_h` is the case's speed where it is not given. `braking_limit_kN`
-    is that of the electro-dynamic brakes of all units together (Hossein-Nia 2018, 1.1.2). With
-    `over_slip_percent` above 0 the drives control the creepage of each driven wheelset to that value, within
-    their limits, instead of the effort. `curve_resistance` of the wagons is "roeckl", "simulated" (that
-    of this toolkit's wagon on dry rails, 2.7 times less at R 450 m) or "none":
+    `units` locomotives share the effort; those of the vehicle are simulated, the others are masses of the
+    train with an effort of their own. `set_speed_km_h` is the case's speed where it is not given.
+    `braking_limit_kN` is that of the electro-dynamic brakes of all units together (Hossein-Nia 2018, 1.1.2).
+    With `over_slip_percent` above 0 the drives control the creepage of each driven wheelset to that value,
+    within their limits, instead of the effort. `curve_resistance` of the wagons is "roeckl", "simulated"
+    (that of this toolkit's wagon on dry rails, 2.7 times less at R 450 m) or "none":
     `vehicles.traction.curve_resistance`.
     """
 
@@ -46,10 +49,18 @@ class TractionCase(CaseTable):
     over_slip_percent: float = number("%", 0, 30, 0.0)
     curve_resistance: Literal["roeckl", "simulated", "none"] = "roeckl"
 
-    @property
-    def alone(self) -> bool:
-        """Whether the simulated unit runs without a train."""
-        return self.units == 1 and self.trailing_wagons == 0
+    def alone(self, vehicle: Vehicle) -> bool:
+        """Whether the simulated units run without a train."""
+        return self.units == len(vehicle.units) and self.trailing_wagons == 0
+
+    def require_units(self, vehicle: Vehicle) -> None:
+        """Raises ValueError for a vehicle of more units than the whole train has."""
+        simulated = len(vehicle.units)
+        if self.units < simulated:
+            raise ValueError(
+                f"traction.units = {self.units}: vehicle {vehicle.name} has {simulated} units of its own; "
+                f"allowed {simulated}..4"
+            )
 
     def orders(self, speed: float) -> DriverOrders:
         """Orders to the driver of a vehicle with that initial speed [m/s]."""
@@ -60,20 +71,23 @@ class TractionCase(CaseTable):
             over_slip=1e-2 * self.over_slip_percent,
         )
 
-    def train(self, mass: float, length: float, grade: _Course, curvature: _Course) -> TrailingTrain:
-        """The train behind the first unit, a unit having a mass [kg] and a length [m] over couplers.
+    def train(self, vehicle: Vehicle, grade: _Course, curvature: _Course) -> TrailingTrain:
+        """The train behind the simulated units.
 
         Parameters
         ----------
-        mass, length : float
-            Of a unit [kg], and over its couplers [m].
-        grade, curvature : callable
-            Sine of the slope [-] and curvature [1/m] at arc lengths [m].
+        vehicle : the simulated units, like those of the train
+        grade, curvature : sine of the slope [-] and curvature [1/m] at arc lengths [m]
+
+        Raises ValueError as `require_units`.
         """
+        self.require_units(vehicle)
+        simulated = len(vehicle.units)
+        heads = [point[0] for point in vehicle.coupler.points]
         return TrailingTrain(
-            locomotives=self.units - 1,
-            locomotive_mass=mass,
-            locomotive_length=length,
+            locomotives=self.units - simulated,
+            locomotive_mass=vehicle.mass / simulated,
+            locomotive_length=(max(heads) - min(heads)) / simulated,
             wagons=self.trailing_wagons,
             wagon_mass=1e3 * self.wagon_mass_t,
             wagon_length=WAGON_LENGTH,
@@ -91,3 +105,12 @@ class SteeringCase(CaseTable):
 
     gain: float = number("-", -2, 2, 1.0)
     softening: float = number("-", 0.05, 1, 1.0)
+
+
+def require_drives(vehicle: Vehicle, traction: TractionCase | None, steering: SteeringCase | None) -> None:
+    """Raises ValueError for a driver or steering of a vehicle without drives, or too few units."""
+    for name, given in (("traction", traction), ("steering", steering)):
+        if given is not None and not vehicle.drives:
+            raise ValueError(f"{name} given: vehicle {vehicle.name} has no drives")
+    if traction is not None:
+        traction.require_units(vehicle)

@@ -22,16 +22,18 @@ def control_figure(title: str, control: Mapping[str, FloatArray]) -> Figure:
     title : str
         Above all panels.
     control : mapping of (n,) arrays
-        The columns of the control log (`hh_exudyn.log.channels`), rows in order of time, then wheelset.
+        The columns of the control log (`hh_exudyn.log.channels`), rows in order of time, then vehicle
+        and wheelset.
 
     Raises
     ------
     ValueError
         No rows, or not as many of each wheelset.
     """
-    axles = int(control["wheelset"].max()) if control["wheelset"].size else 0
-    if not axles or control["wheelset"].size % axles:
-        raise ValueError(f"control log has {control['wheelset'].size} rows of {axles} wheelsets")
+    wheelsets = set(zip(control["vehicle"].tolist(), control["wheelset"].tolist(), strict=True))
+    axles, rows = len(wheelsets), control["time"].size
+    if not axles or rows % axles:
+        raise ValueError(f"control log has {rows} rows of {axles} wheelsets")
     of = {name: np.asarray(values).reshape(-1, axles) for name, values in control.items()}
     time = of["time"][:, 0]
     with rc_context(SMALL):
@@ -53,7 +55,7 @@ def control_figure(title: str, control: Mapping[str, FloatArray]) -> Figure:
         panels[0].legend(ncols=2)
         panels[1].legend(ncols=2)
         handles, labels = panels[2].get_legend_handles_labels()
-        figure.legend(handles, labels, loc="outside lower center", ncols=axles, title="wheelset")
+        figure.legend(handles, labels, loc="outside lower center", ncols=min(axles, 12), title="wheelset")
         _gridded(list(panels))
     return figure
 

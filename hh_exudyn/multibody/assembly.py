@@ -124,7 +124,7 @@ def _train(vehicle: Vehicle, case: Case, numbers: dict[str, int]) -> Train:
     if vehicle.drives:
         rear = min(points)
         points = {rear: points[rear]}
-    uncoupled = bool(vehicle.drives) and case.traction_or_default.alone
+    uncoupled = bool(vehicle.drives) and case.traction_or_default.alone(vehicle)
     heads = np.array(list(points))
     draft = 0.0 if case.train is None else 1e3 * case.train.draft_kN
     return Train(

@@ -23,7 +23,7 @@ from vehicles.couplings import AxleBoxPad
 from vehicles.description import Vehicle
 from vehicles.start import start_front
 from vehicles.traction.control import Actuators, Controller, Measurement
-from vehicles.traction.driver import DrivenUnit, Driver
+from vehicles.traction.driver import DrivenUnits, Driver
 from vehicles.traction.memory import memory_of, put_back
 from vehicles.traction.steering import Steering
 
@@ -55,6 +55,7 @@ class VehicleControl:
         self._driver = driver
         self._controllers = controllers
         self._radius = np.array([wheelset.radius for wheelset in vehicle.wheelsets])
+        self._places = np.array(vehicle.wheelset_places)
         self._rows = np.zeros((self._radius.size, len(CONTROL)))
         self.steps_per_sample = max(1, round(SAMPLE / (case.integration.step_ms * 1e-3)))
         self._interval = self.steps_per_sample * case.integration.step_ms * 1e-3
@@ -146,7 +147,8 @@ class VehicleControl:
         columns = {
             "time": measured.time,
             "s": measured.places,
-            "wheelset": np.arange(1, self._radius.size + 1),
+            "vehicle": self._places[:, 0],
+            "wheelset": self._places[:, 2],
             "speed": measured.speeds,
             "wheel_speed": measured.wheel_speeds,
             "torque": work.inputs.drive_torque,
@@ -186,9 +188,9 @@ def vehicle_control(
     if vehicle.traction is None:
         return None
     traction = case.traction_or_default
-    length = max(vehicle.coupler.points)[0] - min(vehicle.coupler.points)[0]
-    train = traction.train(vehicle.mass, length, *_along(model.alignment))
-    unit = DrivenUnit(
+    train = traction.train(vehicle, *_along(model.alignment))
+    driven = DrivenUnits(
+        number=len(vehicle.units),
         mass=vehicle.mass,
         axles=len(vehicle.wheelsets),
         radius=vehicle.wheelsets[0].radius,
@@ -198,11 +200,12 @@ def vehicle_control(
     )
     head = float(work.inputs.train_start[0])
     grade = math.sin(-inclined_frame(model.alignment, model.start)[4])
-    driver = Driver(unit, train, traction.orders(case.speed), case.speed, head, grade)
+    driver = Driver(driven, train, traction.orders(case.speed), case.speed, head, grade)
     work.inputs.train_start[0] = driver.train_place
     controllers: list[Controller] = [driver]
     if case.steering is not None:
-        bogies = np.array([wheelset.bogie for wheelset in vehicle.wheelsets])
+        own = [(wheelset.unit, wheelset.bogie) for wheelset in vehicle.wheelsets]
+        bogies = np.array([own.index(bogie) for bogie in own])  # a number for each, through all units
         places = np.array([vehicle.body(wheelset.body).position[0] for wheelset in vehicle.wheelsets])
         middles = np.array([places[bogies == bogie].mean() for bogie in bogies])
         steering = case.steering

@@ -81,7 +81,7 @@ class LogWriter:
     ) -> None:
         self._bundle = Bundle(model, work)
         self.recorder = recorder
-        self._places = _places(vehicle)
+        self._places = np.array(vehicle.wheelset_places, dtype=np.int64)
         self._contact = np.zeros((len(vehicle.wheelsets) * 2 * MAX_PATCHES, len(CONTACT)))
         self._wheels = np.zeros((2 * len(vehicle.wheelsets), len(WHEELS)))
         self._records = work.coupling_record
@@ -133,18 +133,6 @@ class LogWriter:
             "value": values,
         }
         self.recorder.append("sensors", columns)
-
-
-def _places(vehicle: Vehicle) -> IntArray:
-    """Unit, bogie and number within its unit of every wheelset, (wheelsets, 3)."""
-    units = [wheelset.unit for wheelset in vehicle.wheelsets]
-    return np.array(
-        [
-            (wheelset.unit, wheelset.bogie, 1 + units[:number].count(wheelset.unit))
-            for number, wheelset in enumerate(vehicle.wheelsets)
-        ],
-        dtype=np.int64,
-    )
 
 
 @allocating_kernel

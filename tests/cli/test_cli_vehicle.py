@@ -35,7 +35,7 @@ def worn(tmp_path: Path) -> Path:
 
 def cells(text: str, pattern: str) -> list[str]:
     """The line of a table that begins so."""
-    found = re.findall(rf"^ *{pattern}.*$", text, flags=re.MULTILINE)
+    found = re.findall(rf"^ *{pattern}\b.*$", text, flags=re.MULTILINE)
     assert len(found) == 1, text
     return found[0].split()
 

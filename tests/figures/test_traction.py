@@ -12,6 +12,7 @@ def control_log(samples=5, axles=6):
     log = {column.name: np.linspace(1.0, 2.0, rows) for column in CONTROL}
     log["time"] = np.repeat(0.01 * np.arange(samples), axles)
     log["wheelset"] = np.tile(np.arange(1, axles + 1), samples)
+    log["vehicle"] = np.ones(rows)
     log["speed"] = np.full(rows, 10.0)
     log["wheel_speed"] = np.full(rows, 10.2)
     log["coupler_force"] = np.full(rows, -3e5)
@@ -26,6 +27,13 @@ def test_control_figure_has_a_line_for_each_wheelset():
     assert [len(axes.lines) for axes in (torque, slip, use)] == [6, 6, 6]
     assert slip.lines[3].get_ydata() == pytest.approx(2.0)
     assert use.lines[0].get_xdata() == pytest.approx(0.01 * np.arange(5))
+
+
+def test_both_units_are_drawn():
+    log = control_log(axles=12)
+    log["vehicle"] = np.tile(np.repeat([1, 2], 6), 5)
+    log["wheelset"] = np.tile(np.arange(1, 7), 10)
+    assert [len(axes.lines) for axes in control_figure("pair", log).axes[2:]] == [12, 12, 12]
 
 
 def test_a_torn_control_log_is_refused():

@@ -3,7 +3,7 @@
 =====================  ===============================================================================
 `wagon`                LKAB's iron-ore wagon, one unit or the pair with drawbar
 `three_piece_bogie`    its bogie: bolster, side frames, wheelsets and their couplings
-`locomotive`           LKAB's IORE locomotive: six driven wheelsets with nose-suspended motors
+`locomotive`           LKAB's IORE locomotive, one unit or both: driven wheelsets with nose-suspended motors
 `y25_wagon`            tank wagon on Y25 bogies, laden or empty
 `parts`                common functions of the builders: inertia, couplings filled from parameters
 `suspended_wheelset`   reference: the smallest model that hunts, with its closed form
@@ -32,6 +32,6 @@ RECORDS: tuple[VehicleRecord, ...] = (
     cooperrider.RECORD,
     manchester.RECORD,
     gz18.RECORD,
-    locomotive.RECORD,
+    *locomotive.RECORDS,
     *y25_wagon.RECORDS,
 )

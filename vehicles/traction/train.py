@@ -53,7 +53,7 @@ class TrailingTrain:
     locomotives' curve resistance is Roeckl's whatever the wagons have, or none where the wagons have none.
     """
 
-    locomotives: int  # behind the simulated one
+    locomotives: int  # behind the simulated ones
     locomotive_mass: float  # [kg] each
     locomotive_length: float  # [m]
     wagons: int

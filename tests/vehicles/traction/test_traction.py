@@ -8,7 +8,7 @@ import pytest
 from hh_exudyn.conventions import GRAVITY
 from vehicles.catalogue import vehicle
 from vehicles.traction.control import Actuators, Measurement
-from vehicles.traction.driver import DrivenUnit, Driver, DriverOrders
+from vehicles.traction.driver import DrivenUnits, Driver, DriverOrders
 from vehicles.traction.effort import (
     OverSlip,
     SlipControl,
@@ -31,7 +31,7 @@ def train(grade=lambda s: 0.0 * s, wagons=68, locomotives=1, curvature=lambda s:
 
 def unit():
     wheelset = LOCOMOTIVE.body(LOCOMOTIVE.wheelsets[0].body)
-    return DrivenUnit(180e3, 6, 0.625, wheelset.inertia[1], EQUIPMENT, LOCOMOTIVE.coupler.stiffness)
+    return DrivenUnits(1, 180e3, 6, 0.625, wheelset.inertia[1], EQUIPMENT, LOCOMOTIVE.coupler.stiffness)
 
 
 def test_characteristic_is_the_published_one():
