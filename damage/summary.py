@@ -178,7 +178,7 @@ def seizure_shares(run: Run) -> dict[str, float]:
 def _drivers(chunk: _Rows) -> _Rows:
     """Rows of the log with wear number and fatigue in place of what they are computed from."""
     index = surface_fatigue_index(
-        *(chunk[name] for name in ("force_x", "force_y", "normal_force", "a", "b")), ER7.shear_yield
+        chunk["force_x"], chunk["force_y"], chunk["normal_force"], chunk["a"], chunk["b"], ER7.shear_yield
     )
     kept = {name: values for name, values in chunk.items() if name not in _SOLVED}
     kept["wear_number"] = wear_number(*(chunk[name] for name in _WEAR))

@@ -49,7 +49,7 @@ Assessment
     N_MV                    mean comfort of EN 12299 [-]; Wz: ride index of Sperling [-]
     Nadal's limit           Y/Q at which a flange climbs, by its angle and friction [-]
     sum Y                   lateral force of a wheelset on the track, mean over 2 m [N]
-    twist                   change of the cross-level over a distance, here a wheelbase, over that distance [-]
+    twist                   change of the cross-level over a wheelbase, over its length [-]
     Yqst, Qqst              quasi-static Y and Q of a curve, the medians of a section [N]
 
 Damage

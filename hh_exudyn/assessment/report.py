@@ -185,7 +185,6 @@ def standard_assessment(
     smooth = forces.filtered(data()["processing"]["low_pass_Hz"])
     histories = guiding_histories(smooth, covered)
     histories |= derailment_histories(smooth, covered, static_wheel_load(described))
-    histories["sum_y_rms"] = about_the_peak(raw, forces.interval, f0)
     ride: tuple[RideIndex, ...] = ()
     if over_bogies := body_places(described, vehicle):
         felt = point_accelerations(run, over_bogies)
@@ -195,6 +194,7 @@ def standard_assessment(
         felt = point_accelerations(run, over_wheelsets)
         lateral = History(felt.places, felt.s, felt.lateral)
         histories["bogie_lateral_rms"] = about_the_peak(lateral, felt.interval, f0)
+    histories["sum_y_rms"] = about_the_peak(raw, forces.interval, f0)
     speed = float((forces.s[-1] - forces.s[0]).mean()) / float(forces.time[-1] - forces.time[0])
     findings = tuple(
         finding for section in sections for finding in _in_section(Finder(section, histories, known), speed)
