@@ -4,6 +4,7 @@ Shapes are given to the system's objects only where a viewer is wanted. They hav
 logs are those of the run without a viewer, bit for bit.
 """
 
+import ctypes
 import os
 import sys
 from typing import Any
@@ -33,7 +34,7 @@ _HALF_HEAD = 0.036  # m, of a rail
 _STEP = 2.0  # m, between the points of a rail
 _STARTUP = 30_000  # ms that a busy machine may take to open the window
 _PERIOD = 0.04  # s between two pictures
-_VIEW = [-1.230, -0.307, -0.422]  # rotation vector: from the right, 18 degrees from above, 28 from ahead
+_VIEW = [-1.413, -0.379, -0.428]  # rotation vector: from the right, 7 degrees from above, 30 from ahead
 _HEIGHT = 0.75  # of the scene in the window, over the length of the vehicle
 
 
@@ -49,11 +50,29 @@ def require_screen() -> None:
     NoScreen
         There is none. Exudyn itself would end the whole program.
     """
-    if sys.platform.startswith("linux") and not any(map(os.environ.get, ("DISPLAY", "WAYLAND_DISPLAY"))):
+    if not sys.platform.startswith("linux"):
+        return
+    name = os.environ.get("DISPLAY")
+    if not name or not _answers():
         raise NoScreen(
-            "Exudyn's viewer needs a screen, and neither DISPLAY nor WAYLAND_DISPLAY is set; without one: "
-            "hh-exudyn playback DIR --save F.rrd writes a recording to look at elsewhere"
+            "Exudyn's viewer needs a screen, and "
+            + (f"DISPLAY {name} does not answer" if name else "DISPLAY is not set")
+            + "; without one: hh-exudyn playback DIR --save F.rrd writes a recording to look at elsewhere"
         )
+
+
+def _answers() -> bool:
+    """Whether the X server of DISPLAY lets us in."""
+    try:
+        x11 = ctypes.CDLL("libX11.so.6")
+    except OSError:
+        return False
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    screen = x11.XOpenDisplay(None)
+    if not screen:
+        return False
+    x11.XCloseDisplay(ctypes.c_void_p(screen))
+    return True
 
 
 class Viewer:

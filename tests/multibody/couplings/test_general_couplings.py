@@ -212,7 +212,7 @@ def test_nonsense_is_refused(kind, changes, message):
     [
         (replace(BUSHING, body_b="wheelset_1"), "axle's centre line"),
         (replace(ROD, body_a="wheelset_1"), "axle's centre line"),
-        (replace(STOP, body_a="wheelset_1"), "make the wheelset its body B"),
+        (replace(STOP, body_a="wheelset_1"), "axle's centre line"),
         (replace(ROD, body_b="wheelset_1"), "axle's centre line"),
     ],
 )
