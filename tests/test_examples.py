@@ -88,12 +88,10 @@ def test_savast(tmp_path: Path) -> None:
     for load, static in (("loaded", 120.0 * 9.81 / 8), ("empty", 21.6 * 9.81 / 8)):
         low, high = ranges["Q", load, "from"], ranges["Q", load, "to"]
         assert all(a < static < b for a, b in zip(low, high, strict=True))
-    # Cant deficiency of 34 mm in a left curve: the outer side carries more. Not so wheelset 4, at the rear of
-    # the warped trailing bogie, which bears on both sides alike; the sum over all is not touched by that.
+    # Cant deficiency of 34 mm in a left curve: the outer side carries more, at every wheelset.
     for extreme in (ranges["Q", "loaded", "from"], ranges["Q", "loaded", "to"]):
         more = [right - left for left, right in zip(extreme[::2], extreme[1::2], strict=True)]
-        assert min(more[:3]) > 5.0
-        assert sum(more) > 25.0
+        assert min(more) > 10.0
     assert {path.name for path in tmp_path.glob("*.png")} == {"Q.png", "Y.png", "spectrum.png"}
     again = run("05_savast.py", tmp_path)
     assert "%" not in again  # no progress
