@@ -102,7 +102,7 @@ VEHICLES = {  # vehicle file: part of the line
     f"{BASE}axle_box.stop_stiffness = 1e15": "axle_box.stop_stiffness = 1e+15 N/m is no plausible stiffness",
     f"{BASE}centre_plate.stick_stiffness = 175130": "where the base has 1.7513e+08 N/m: in another unit?",
     f'{BASE}wheelset.radius = {{value = 18, unit = "inch"}}': 'is in "inch": allowed "m", "mm", "cm"',
-    f'{BASE}wheelset.radius = {{unit = "mm"}}': 'allowed a number, a text as "1.5 kN", or a table of value, unit and source',
+    f'{BASE}wheelset.radius = {{unit = "mm"}}': 'allowed a number, a text as "1.5 kN", or a table of value',
     f"{BASE}nothing = 3": "nothing = 3: unknown key; known are name, base, description and tables",
     f"{BASE}wedge.colour = 3": "unknown parameter wedge.colour",
     f"{BASE}wedge = [1, 2]": "wedge = [1, 2]: unknown key",
