@@ -6,7 +6,7 @@ interrupted goes on where it was.
 
 Several vehicles in one Exudyn system with one callback would not pay: Exudyn's time goes with the bodies. A
 prototype with 8 loaded ore wagons took from 8 % less to 7 % more an evaluation of each than with one wagon
-(61 to 65 us, of which Exudyn 12 to 14, the kernel 41 to 43; process time on a busy machine, three repetitions).
+(61 to 65 us, of which Exudyn 12 to 14, the kernel 41 to 43; process time, busy machine, three repetitions).
 """
 
 import math
