@@ -11,7 +11,7 @@ import tempfile
 from functools import partial
 from pathlib import Path
 
-from damage.summary import steady_window, wheelset_summary
+from damage.summary import wheelset_summary
 from hh_exudyn.case import Case, CurveCase, StraightCase, TrackCase, TransitionCase
 from hh_exudyn.figures.vehicle import summary, vehicle_sheet
 from hh_exudyn.multibody.simulate import simulate
@@ -54,6 +54,6 @@ folder = Path(sys.argv[1] if len(sys.argv) > 1 else tempfile.mkdtemp(prefix="y25
 print(f"{summary(wagon)}; the same from its file: {find_variant(file).vehicle() == wagon}")
 vehicle_sheet("tank wagon on Y25 bogies", wagon).savefig(folder / "wagon.png", dpi=150)
 run = simulate(Case(name="y25", vehicle=str(file), speed_km_h=60, friction=0.35, track=TRACK), folder / "run")
-for row in wheelset_summary(run, steady_window(run)):
+for row in wheelset_summary(run, (100.0, 140.0)):
     (q_left, q_right), attack = (1e-3 * force for force in row.Q), 1e3 * row.angle_of_attack
     print(f"  wheelset {row.wheelset}: Q {q_left:.1f} / {q_right:.1f} kN, angle of attack {attack:.2f} mrad")

@@ -1,8 +1,9 @@
-"""What commands say about flange backs on check rails."""
+"""What commands say about flange backs on check rails.
+
+Large packages are imported inside the functions, so that ``--help`` is fast.
+"""
 
 from typing import TYPE_CHECKING
-
-import numpy as np
 
 if TYPE_CHECKING:
     from hh_exudyn.log.store import Run
@@ -30,6 +31,8 @@ def largest_forces(run: "Run") -> str:
     run
         The run.
     """
+    import numpy as np
+
     if not check_rail_rows(run):
         return ""
     log = run.read("check_rail", ["vehicle", "wheelset", "side", "normal_force"])

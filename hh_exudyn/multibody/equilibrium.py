@@ -28,7 +28,7 @@ FORCE_TOLERANCE = 5.0  # N or N m, of any body, on weights of 1e4..1e6 N
 TIME_LIMIT = 6.0 * PLAIN_PYTHON_FACTOR
 _SEARCH_LIMIT = 2.0 * PLAIN_PYTHON_FACTOR
 _FIRST_SEARCH, _LAST_SEARCH = 50, 25  # steps of the root search; where it succeeds it takes 13 to 23
-_SETTLING = (1.2, 2.0, 3.0)  # s of motion, after each of which the root search tries again
+_SETTLING = (1.2, 2.0, 3.0, 4.0, 5.0)  # s of motion, after each of which the root search tries again
 _NEAR = 0.01  # of the weight: residual below which a root search begins from a settled state
 _FORCE_SCALE = 1e3  # residuals are in thousandths of the weight
 

@@ -342,7 +342,7 @@ def test_derailment_is_exit_code_3_and_keeps_the_log(tmp_path: Path) -> None:
 def test_fault_of_the_program_is_one_line_and_a_traceback_on_disk(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def broken(case: Case, directory: Path, progress: object = None) -> None:
+    def broken(case: Case, directory: Path, **options: object) -> None:
         directory.mkdir()
         raise ZeroDivisionError("float\ndivision [by] zero")
 
@@ -356,7 +356,7 @@ def test_fault_of_the_program_is_one_line_and_a_traceback_on_disk(
 
 
 def test_case_that_cannot_be_built_is_bad_input(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def refuses(case: Case, directory: Path, progress: object = None) -> None:
+    def refuses(case: Case, directory: Path, **options: object) -> None:
         raise ValueError("vehicle longer than the track")
 
     monkeypatch.setattr("hh_exudyn.multibody.simulate.simulate", refuses)

@@ -78,7 +78,7 @@ def test_the_loser_of_two_runs_writes_nothing_into_the_winners_folder(
 ) -> None:
     """The folder is claimed by another process while this one compiles."""
 
-    def claimed(case: Case, directory: Path, progress: object = None) -> None:
+    def claimed(case: Case, directory: Path, **options: object) -> None:
         directory.mkdir()
         (directory / "case.toml").write_text("the winner's")
         raise FileExistsError(f"{directory} is not empty: a run is never overwritten")

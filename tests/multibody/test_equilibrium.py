@@ -170,7 +170,7 @@ def test_settling_and_root_search_find_the_same(demo, monkeypatch, name, track):
 
 
 def test_settling_alone_comes_as_near(demo, monkeypatch):
-    """Without any root search: three seconds of damped motion leave less than the tolerance."""
+    """Without any root search: some seconds of damped motion leave less than the tolerance."""
     case = straight(demo, 1440.0)
     _, searched, _ = settle(case)
     loads = searched.rail_force[:, :, 1].copy()
