@@ -124,6 +124,7 @@ def spectrum_deviations(spectrum: str, shortest: float) -> tuple[float, float]:
     return track.standard_deviation("level", D1), track.standard_deviation("alignment", D1)
 
 
+@lru_cache
 def irregularity_scale(rule: QualityRule, quality: str, place: float, shortest: float) -> float:
     """Factor on the spectrum with which the worse of its two signals has the deviation of the class [-].
 

@@ -2,7 +2,7 @@
 
 import hashlib
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -87,8 +87,7 @@ class _Axes(NamedTuple):
     """Levels of the axes within a group, and the shares of each."""
 
     geometries: tuple[Geometry, ...]
-    kinds: tuple[tuple[TrackKind, dict[Member, float]], ...]
-    places: tuple[Step, ...]
+    kinds: tuple[tuple[TrackKind, Step, dict[Member, float]], ...]  # with the place in the quality class
     gauges: tuple[Step, ...]
     seasons: tuple[Season, ...]
     speeds: tuple[tuple[float, float], ...]
@@ -178,6 +177,42 @@ class Collective:
             if all(getattr(item.stratum, name) == value for name, value in labels.items())
         )
 
+    def resampled(self, counts: Mapping[str, int]) -> tuple[WeightedStratum, ...]:
+        """The strata with another number of replicates for some cells, each cell with its whole weight.
+
+        Replicates that were there before keep key, seed and case, so that only new ones are to be run.
+
+        Parameters
+        ----------
+        counts : mapping of str to int
+            Replicates by `Stratum.cell`, 1 or more; other cells have those of the file.
+
+        Raises
+        ------
+        ValueError
+            The design is an overlay, of which cells have no samples of their own; an unknown cell; a count
+            below 1.
+        """
+        if self.plan.design != "full":
+            raise ValueError(f"design.kind is {self.plan.design!r}: allowed for single cells is 'full'")
+        firsts = [item for item in self.strata if item.stratum.replicate == 1]
+        cells = {item.stratum.cell for item in firsts}
+        for cell, count in counts.items():
+            if count < 1 or cell not in cells:
+                raise ValueError(
+                    f"{count} replicates of cell {cell}: allowed 1 or more of a cell of these strata"
+                )
+        return tuple(
+            replace(
+                item,
+                stratum=replace(item.stratum, replicate=replicate),
+                weight=item.weight * self.plan.replicates / count,
+            )
+            for item in firsts
+            for count in [counts.get(item.stratum.cell, self.plan.replicates)]
+            for replicate in range(1, count + 1)
+        )
+
     def refined(self, axis: str) -> "Collective":
         """The collective with the steps of an axis halved, for its discretisation error.
 
@@ -220,15 +255,15 @@ class Collective:
         seasons = halved_seasons(plan.seasons, plan.halvings.get("friction", 0))
         shares = [
             [share for _, share in group.geometries],
-            group.kind_shares(),
-            [place.share for place in places],
+            [share * place.share for share in group.kind_shares() for place in places],
             [gauge.share for gauge in gauges],
             [season.share for season in seasons],
             [share for _, share in running.speeds],
             [haul.share for haul in running.hauls],
         ]
         geometries = tuple(geometry for geometry, _ in group.geometries)
-        return _Axes(geometries, group.kinds, places, gauges, seasons, running.speeds, running.hauls, shares)
+        kinds = tuple((kind, place, members) for kind, members in group.kinds for place in places)
+        return _Axes(geometries, kinds, gauges, seasons, running.speeds, running.hauls, shares)
 
     def _of_group(self, running: Running, group: Group, replicate: int) -> Iterator[WeightedStratum]:
         """The strata of one sample of a group."""
@@ -239,7 +274,7 @@ class Collective:
             turns = _turns(f"{running.name};{group.name};{replicate}", len(axes.shares))
             cells = overlay(axes.shares, turns)
         for levels, share in cells:
-            members = axes.kinds[levels[1]][1]
+            members = axes.kinds[levels[1]][2]
             of_kind = math.fsum(members.values())
             for member, of_member in members.items():
                 weight = running.share * group.share * share * of_member / of_kind / self.plan.replicates
@@ -256,11 +291,11 @@ class Collective:
         replicate: int,
     ) -> tuple[Stratum, Setting]:  # fmt: skip
         """Labels of a cell for one member of the group, and what its case needs."""
-        geometry, kind = axes.geometries[levels[0]], axes.kinds[levels[1]][0]
-        season, haul = axes.seasons[levels[4]], axes.hauls[levels[6]]
-        gauge = axes.gauges[levels[3]].value
+        geometry, (kind, place, _) = axes.geometries[levels[0]], axes.kinds[levels[1]]
+        season, haul = axes.seasons[levels[3]], axes.hauls[levels[5]]
+        gauge = axes.gauges[levels[2]].value
         shortest = self.plan.base.get("track", {}).get("irregularity_shortest_m", _SHORTEST)
-        scale = irregularity_scale(self.plan.quality, kind.quality, axes.places[levels[2]].value, shortest)
+        scale = irregularity_scale(self.plan.quality, kind.quality, place.value, shortest)
         level, alignment = spectrum_deviations(self.plan.quality.spectrum, shortest)
         stratum = Stratum(
             running=running.name,
@@ -284,7 +319,7 @@ class Collective:
             friction_tread=season.friction.tread,
             friction_gauge_corner=season.friction.gauge_corner,
             friction_flange=season.friction.flange,
-            speed_km_h=round(3.6 * kind.speed * axes.speeds[levels[5]][0], 6),
+            speed_km_h=round(3.6 * kind.speed * axes.speeds[levels[4]][0], 6),
             haul=haul.name,
             gradient_per_mille=round(1e3 * haul.gradient, 6),
             replicate=replicate,

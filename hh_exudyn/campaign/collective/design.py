@@ -9,9 +9,9 @@ divided circles over each other, each turned by an angle of its own, and cuts wh
 
 The cells of every level sum to exactly its share, with as many cells as levels of all axes together instead
 of their product: what is additive in the axes is summed without error, as by Latin hypercube sampling
-(M. Stein, Technometrics 29 (1987) 143-151), of which this is a form for axes with few levels. With independent turns,
-uniform over the circle, the expected share of a cell is the product of its levels' shares: results are
-unbiased, and their spread over several overlays is the sampling error.
+(M. Stein, Technometrics 29 (1987) 143-151), of which this is a form for axes with few levels. With
+independent turns, uniform over the circle, the expected share of a cell is the product of its levels' shares:
+results are unbiased, and their spread over several overlays is the sampling error.
 """
 
 import math

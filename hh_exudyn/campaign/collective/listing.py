@@ -13,7 +13,7 @@ from track.friction import ZONES
 
 
 def strata_table(collective: Collective, strata: Sequence[WeightedStratum] | None = None) -> pa.Table:
-    """One row a stratum: weight, whose mirror image, seed, every label with its unit in the name of the column.
+    """One row a stratum: weight, mirror image or not, seed, all labels; columns are named with units.
 
     Weights and parts are shares of the distance; the parts of a row sum to its weight. The radius of straight
     track is null. `wear_divisor_tread` and so on are those of the season's natural films.

@@ -1,17 +1,17 @@
 """The error of a weighted sum over strata, and which case is the next: stratified sampling.
 
-W. G. Cochran, Sampling Techniques, 3rd edition, Wiley 1977, chapter 5, with endless populations (a stratum has
-any number of irregularities, so that the corrections for finite ones vanish):
+W. G. Cochran, Sampling Techniques, 3rd edition, Wiley 1977, chapter 5, with endless populations (a stratum
+has any number of irregularities, so that the corrections for finite ones vanish):
 
     y_st = sum_h W_h y_h                                            (5.1)
     v(y_st) = sum_h W_h^2 s_h^2 / n_h                               (after 5.9)
     n_e = (sum_h g_h s_h^2)^2 / sum_h (g_h^2 s_h^4 / (n_h - 1))     (5.16), g_h = W_h^2 / n_h
 
-y_h and s_h are mean and standard deviation of n_h samples (seeds) in stratum h of weight W_h, n_e the effective
-degrees of freedom of Student's t for the limits of confidence (Satterthwaite). The smallest variance for a given
-number of cases has n_h in proportion to W_h s_h (Neyman). In whole cases it is reached one by one: the next case
-goes where W_h s_h / sqrt(n_h (n_h + 1)) is largest, the gain of one more sample (T. Wright, The American
-Statistician 66 (2012) 217-224).
+y_h and s_h are mean and standard deviation of n_h samples (seeds) in stratum h of weight W_h, n_e the
+effective degrees of freedom of Student's t for the limits of confidence (Satterthwaite). The smallest
+variance for a given number of cases has n_h in proportion to W_h s_h (Neyman). In whole cases it is reached
+one by one: the next case goes where W_h s_h / sqrt(n_h (n_h + 1)) is largest, the gain of one more sample
+(T. Wright, The American Statistician 66 (2012) 217-224).
 
 Strata must be independent: every one has a seed of its own (`hh_exudyn.campaign.collective.strata`). Equation
 numbers are from memory of the book; the formulas are checked by simulation in the tests.
@@ -55,7 +55,8 @@ class Estimates:
         strata = len(self.weight)
         if self.mean.shape != self.spread.shape or self.mean.ndim != 2 or len(self.mean) != strata:
             raise ValueError(
-                f"mean has shape {self.mean.shape}, spread {self.spread.shape}: allowed ({strata}, quantities)"
+                f"mean has shape {self.mean.shape}, spread {self.spread.shape}: allowed "
+                f"({strata}, quantities)"
             )
         if self.count.shape != self.weight.shape or not np.all(self.count >= LEAST_SAMPLES):
             raise ValueError(

@@ -8,6 +8,7 @@ then (common random numbers), and different strata have independent ones.
 import hashlib
 import math
 from dataclasses import dataclass, fields, replace
+from functools import cached_property
 
 _MEMBER = ("curve_class", "hand")  # of the line: several share a case
 _SEEDS = 2**31
@@ -63,7 +64,7 @@ class Stratum:
     gradient_per_mille: float
     replicate: int
 
-    @property
+    @cached_property
     def key(self) -> str:
         """What defines the case, as a text; numbers to six digits."""
         return ";".join(
