@@ -115,15 +115,17 @@ class Collective:
         ValueError
             An unknown line, curve class or wear state, a vehicle without speed on the line.
         """
-        line = read_line(self.plan.line)
-        return tuple(
-            found
-            for running in self.plan.running
-            for group in groups_of(self.plan, line, running)
-            for replicate in range(1, self.plan.replicates + 1)
-            for found in self._of_group(running, group, replicate)
-            if found.weight > 0.0
-        )
+        return self._sampled({})
+
+    def unit(self, stratum: Stratum) -> str:
+        """What is sampled independently of all else: the cell; of overlays the whole group of a running.
+
+        Parameters
+        ----------
+        stratum : Stratum
+            Of this collective.
+        """
+        return stratum.cell if self.plan.design == "full" else f"{stratum.running};{stratum.group}"
 
     def cases(self, strata: Sequence[WeightedStratum] | None = None) -> tuple[WeightedCase, ...]:
         """Strata with their cases; strata of equal key share one `Case`. Making one takes some 40 ms.
@@ -178,40 +180,25 @@ class Collective:
         )
 
     def resampled(self, counts: Mapping[str, int]) -> tuple[WeightedStratum, ...]:
-        """The strata with another number of replicates for some cells, each cell with its whole weight.
+        """The strata with another number of replicates for some units, each unit with its whole weight.
 
         Replicates that were there before keep key, seed and case, so that only new ones are to be run.
 
         Parameters
         ----------
         counts : mapping of str to int
-            Replicates by `Stratum.cell`, 1 or more; other cells have those of the file.
+            Replicates by `unit`, 1 or more; other units have those of the file.
 
         Raises
         ------
         ValueError
-            The design is an overlay, of which cells have no samples of their own; an unknown cell; a count
-            below 1.
+            An unknown unit, or a count below 1.
         """
-        if self.plan.design != "full":
-            raise ValueError(f"design.kind is {self.plan.design!r}: allowed for single cells is 'full'")
-        firsts = [item for item in self.strata if item.stratum.replicate == 1]
-        cells = {item.stratum.cell for item in firsts}
-        for cell, count in counts.items():
-            if count < 1 or cell not in cells:
-                raise ValueError(
-                    f"{count} replicates of cell {cell}: allowed 1 or more of a cell of these strata"
-                )
-        return tuple(
-            replace(
-                item,
-                stratum=replace(item.stratum, replicate=replicate),
-                weight=item.weight * self.plan.replicates / count,
-            )
-            for item in firsts
-            for count in [counts.get(item.stratum.cell, self.plan.replicates)]
-            for replicate in range(1, count + 1)
-        )
+        units = {self.unit(item.stratum) for item in self.strata}
+        for unit, count in counts.items():
+            if count < 1 or unit not in units:
+                raise ValueError(f"{count} replicates of unit {unit!r}: allowed 1 or more of a known unit")
+        return self._sampled(counts)
 
     def refined(self, axis: str) -> "Collective":
         """The collective with the steps of an axis halved, for its discretisation error.
@@ -247,6 +234,20 @@ class Collective:
                 found.append(f"{running.name}: braking")
         return tuple(found)
 
+    def _sampled(self, counts: Mapping[str, int]) -> tuple[WeightedStratum, ...]:
+        """The strata with given numbers of replicates by unit."""
+        line = read_line(self.plan.line)
+        usual = self.plan.replicates
+        found = []
+        for running in self.plan.running:
+            for group in groups_of(self.plan, line, running):
+                for replicate in range(1, max((usual, *counts.values())) + 1):
+                    for item in self._of_group(running, group, replicate):
+                        count = counts.get(self.unit(item.stratum), usual) if counts else usual
+                        if replicate <= count and item.weight > 0.0:
+                            found.append(replace(item, weight=item.weight / count))
+        return tuple(found)
+
     def _axes(self, running: Running, group: Group) -> _Axes:
         """The axes of a group, and their shares in the order of the fields."""
         plan = self.plan
@@ -277,7 +278,7 @@ class Collective:
             members = axes.kinds[levels[1]][2]
             of_kind = math.fsum(members.values())
             for member, of_member in members.items():
-                weight = running.share * group.share * share * of_member / of_kind / self.plan.replicates
+                weight = running.share * group.share * share * of_member / of_kind
                 stratum, setting = self._stratum(running, group, axes, levels, member, replicate)
                 if group.hand == STRAIGHT:  # as likely one way as the other
                     yield WeightedStratum(stratum, 0.5 * weight, False, setting)

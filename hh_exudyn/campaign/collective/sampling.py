@@ -13,10 +13,11 @@ variance for a given number of cases has n_h in proportion to W_h s_h (Neyman). 
 one by one: the next case goes where W_h s_h / sqrt(n_h (n_h + 1)) is largest, the gain of one more sample
 (T. Wright, The American Statistician 66 (2012) 217-224).
 
-Strata must be independent: every one has a seed of its own (`hh_exudyn.campaign.collective.strata`). Equation
+Strata must be independent: every case has a seed of its own (`hh_exudyn.campaign.collective.strata`). Equation
 numbers are from memory of the book; the formulas are checked by simulation in the tests.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -152,6 +153,41 @@ def of_samples(weight: FloatArray, samples: list[FloatArray]) -> Estimates:
     return Estimates(weight, mean, np.array([each.std(axis=0, ddof=1) for each in samples]), count)
 
 
+def by_units(
+    weight: FloatArray, unit: Sequence[str], replicate: IntArray, values: FloatArray
+) -> tuple[tuple[str, ...], Estimates]:
+    """Units of sampling and their estimates, from one row a weighted stratum.
+
+    A replicate of a unit is a sample: the weighted mean of its rows. That holds for cells, and for overlays
+    of a group, of which the cells depend on each other but whole overlays do not (`hh_exudyn.campaign.collective.collective.Collective.unit`).
+
+    Parameters
+    ----------
+    weight : (rows,) array
+        Shares [-].
+    unit : sequence of str
+        Of each row.
+    replicate : (rows,) array
+        Of each row, from 1.
+    values : (rows, quantities) array
+        Results of the rows, mirrored where their stratum is.
+
+    Raises
+    ------
+    ValueError
+        As `Estimates`.
+    """
+    names = np.array(unit)
+    units = tuple(dict.fromkeys(unit))
+    shares, samples = [], []
+    for name in units:
+        mine = names == name
+        shares.append(weight[mine].sum())
+        parts = [mine & (replicate == number) for number in np.unique(replicate[mine])]
+        samples.append(np.array([weight[part] @ values[part] / weight[part].sum() for part in parts]))
+    return units, of_samples(np.array(shares), samples)
+
+
 def next_samples(estimates: Estimates, scale: FloatArray, more: int) -> IntArray:
     """How many of the next samples go to each stratum, (strata,): one by one where the gain is largest.
 
@@ -195,24 +231,6 @@ def samples_to_error(
             break
         known = known.with_samples(known.count + next_samples(known, allowed, 1))
     return known.count - estimates.count
-
-
-def of_overlays(totals: FloatArray, confidence: float = 0.95) -> tuple[FloatArray, FloatArray]:
-    """Mean and half width of confidence from the weighted sums of independent overlays, both (quantities,).
-
-    Cells of an overlay are no independent strata, whole overlays are independent samples
-    (`hh_exudyn.campaign.collective.design`): the spread of their sums over the root of their number, by
-    Student's t.
-
-    Parameters
-    ----------
-    totals : (overlays, quantities) array
-        Weighted sum of each overlay, as if it were alone.
-    confidence : float
-        As `Estimates.half_width`.
-    """
-    whole = of_samples(np.ones(1), [totals])
-    return whole.total, whole.half_width(confidence)
 
 
 def halving_error(coarse: FloatArray, fine: FloatArray, order: int = 2) -> FloatArray:

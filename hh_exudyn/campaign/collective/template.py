@@ -1,14 +1,17 @@
 """The text of a new load collective's file: commented TOML with the sources of all numbers."""
 
 import difflib
+import math
 from importlib.resources import files
 
 from hh_exudyn.contact.profiles.malmbanan import LINE_WHEELS
 from track.line.line import Line, read_line
 from vehicles.catalogue import vehicle, vehicle_names
+from vehicles.start import start_front
 
 _MERGED = 'merged_classes = [["350:400", "400:450"], ["600:800", "800:1000"]]\n'
 _MALMBANAN = "malmbanan"  # the line of which the classes of `_MERGED` are
+_FADE = 50.0  # m, of irregularities
 _LOADS = ("loaded", "empty")
 _SHOE_KN = {"loaded": "10.0", "empty": "4.0"}
 _MASS_T = {"loaded": "120.0", "empty": "21.6"}
@@ -32,7 +35,8 @@ def template_text(line: str = _MALMBANAN, vehicle_name: str = "iore_wagon_pair")
     known = vehicle_names()
     of_loads = [f"{vehicle_name}_{load}" for load in _LOADS]
     two = vehicle_name not in known and all(name in known for name in of_loads)
-    driven = bool(vehicle(of_loads[0] if two else vehicle_name).drives)
+    described = vehicle(of_loads[0] if two else vehicle_name)
+    driven = bool(described.drives)
     kind = "driven" if driven else "hauled"
     speeds = read_line(line)
     texts = [_data("campaign.toml")]
@@ -49,7 +53,14 @@ def template_text(line: str = _MALMBANAN, vehicle_name: str = "iore_wagon_pair")
         texts.append(_filled(_data(f"running_{kind}.toml"), words))
     merged = _MERGED if line == _MALMBANAN else ""
     wheel = LINE_WHEELS[1 if driven else 0] if line == _MALMBANAN else "S1002"
-    words = {"NAME": f"{vehicle_name} on {line}", "LINE": line, "MERGED": merged, "WHEEL": wheel}
+    words = {
+        "NAME": f"{vehicle_name} on {line}",
+        "LINE": line,
+        "MERGED": merged,
+        "WHEEL": wheel,
+        "APPROACH": _rounded_up(start_front(described) + _FADE),
+        "RUN_OUT": _rounded_up(max(_FADE, start_front(described))),
+    }
     return _filled("".join(texts), words)
 
 
@@ -61,6 +72,11 @@ def _filled(text: str, words: dict[str, str]) -> str:
     for key, word in words.items():
         text = text.replace(f"@{key}@", word)
     return text
+
+
+def _rounded_up(length: float) -> str:
+    """To whole 5 m, as in the file."""
+    return f"{5.0 * math.ceil(length / 5.0):.1f}"
 
 
 def _speed_name(line: Line, name: str, load: str) -> str:

@@ -58,26 +58,65 @@ FAULTS = {
         ("share_percent = 12.0", "share_percent = 13.0"),
         "campaign: season: share_percent sums to 101 %: allowed 100 %",
     ),
-    "range": (("deviation_mm = 4.0", "deviation_mm = 40.0"), "gauge.deviation_mm = 40 mm: allowed 0 to 15 mm"),
-    "outside": (("deviation_mm = 4.0", "deviation_mm = 7.0"), "gauge.deviation_mm: value 7 lies outside its range"),
-    "typo": (("quantiles = 3", "quantile = 3"), "gauge.quantiles is missing: allowed 1 to 64 -; is it gauge.quantile"),
+    "range": (
+        ("deviation_mm = 4.0", "deviation_mm = 40.0"),
+        "gauge.deviation_mm = 40 mm: allowed 0 to 15 mm",
+    ),
+    "outside": (
+        ("deviation_mm = 4.0", "deviation_mm = 7.0"),
+        "gauge.deviation_mm: value 7 lies outside its range",
+    ),
+    "typo": (
+        ("quantiles = 3", "quantile = 3"),
+        "gauge.quantiles is missing: allowed 1 to 64 -; is it gauge.quantile",
+    ),
     "half": (("quantiles = 3", "quantiles = 2.5"), "gauge.quantiles = 2.5 -: allowed whole numbers 1 to 64"),
     "unknown": (("quantiles = 3", "quantiles = 3\nsteps = 4"), "unknown key gauge.steps"),
     "design": (('kind = "overlay"', 'kind = "some"'), "design.kind = 'some': allowed full, overlay"),
-    "climate": (('climate = "dry"', 'climate = "arid"'), r"season\[3\].climate = 'arid': allowed very_humid, humid"),
-    "both": (('climate = "dry"', 'climate = "dry"\ntread = 0.5'), r"season\[3\].climate and season\[3\].tread"),
-    "film": (('film = { tread = "lubricated"', 'film = { tread = "oily"'), "film.tread = 'oily': allowed dry, lubricated"),
-    "treatment": (('["flange_lubrication"]', '["soap"]'), r"treatments = \['soap'\]: allowed a list out of top_of_rail"),
+    "climate": (
+        ('climate = "dry"', 'climate = "arid"'),
+        r"season\[3\].climate = 'arid': allowed very_humid, humid",
+    ),
+    "both": (
+        ('climate = "dry"', 'climate = "dry"\ntread = 0.5'),
+        r"season\[3\].climate and season\[3\].tread",
+    ),
+    "film": (
+        ('film = { tread = "lubricated"', 'film = { tread = "oily"'),
+        "film.tread = 'oily': allowed dry, lubricated",
+    ),
+    "treatment": (
+        ('["flange_lubrication"]', '["soap"]'),
+        r"treatments = \['soap'\]: allowed a list out of top_of_rail",
+    ),
     "foundation": (('"concrete_frozen"', '"ice"'), r"season\[4\].flexibility = 'ice'"),
-    "vehicle": (("iore_wagon_pair_loaded", "iore_waggon"), r"running\[0\].vehicle: vehicle 'iore_waggon' is not known"),
-    "twice": (('name = "humid"', 'name = "dry"'), "season.name = 'dry' is there twice: allowed names that differ"),
-    "source": (('source = "assumed: share; hand', 'source = "from share; hand'), r"season\[3\].source = .*: allowed a text that starts"),
-    "own": (("[case.track]", "[case.track]\nirregularity_seed = 3"), "case.track.irregularity_seed: set by the load coll"),
+    "vehicle": (
+        ("iore_wagon_pair_loaded", "iore_waggon"),
+        r"running\[0\].vehicle: vehicle 'iore_waggon' is not known",
+    ),
+    "twice": (
+        ('name = "humid"', 'name = "dry"'),
+        "season.name = 'dry' is there twice: allowed names that differ",
+    ),
+    "source": (
+        ('source = "assumed: share; hand', 'source = "from share; hand'),
+        r"season\[3\].source = .*: allowed a text that starts",
+    ),
+    "own": (
+        ("[case.track]", "[case.track]\nirregularity_seed = 3"),
+        "case.track.irregularity_seed: set by the load coll",
+    ),
     "merged": (('"350:400", "400:450"', '"350:400", "350:400"'), "design.merged_classes = .*each name once"),
     "ranges": (("lowest = [0.2, 0.8]", "least = [0.2, 0.8]"), "quality.ranges.least: quality has no least"),
-    "haul": (("shoe_force_kN = 10.0", "gradient_per_mille = 6.0"), "shoe_force_kN: running.* has no shoe_force_kN"),
-    "speed": (("[100.0, 80.0], share_percent = [70.0, 30.0]", "[100.0, 80.0], share_percent = [70.0, 20.0]"), "speed.share_percent sums to 90 %: allowed 100 %"),
-}  # fmt: skip
+    "haul": (
+        ("shoe_force_kN = 10.0", "gradient_per_mille = 6.0"),
+        "shoe_force_kN: running.* has no shoe_force_kN",
+    ),
+    "speed": (
+        ("[100.0, 80.0], share_percent = [70.0, 30.0]", "[100.0, 80.0], share_percent = [70.0, 20.0]"),
+        "speed.share_percent sums to 90 %: allowed 100 %",
+    ),
+}
 
 
 @pytest.mark.parametrize("name", FAULTS)

@@ -8,14 +8,15 @@ import pytest
 from scipy.integrate import quad
 from scipy.stats import norm, truncnorm
 
+from hh_exudyn.campaign.collective import Collective, Stratum, plan_of_text, template_text
 from hh_exudyn.campaign.collective.axes import gauge_deviations
 from hh_exudyn.campaign.collective.design import full_product, overlay
 from hh_exudyn.campaign.collective.plan import GaugeSpread
 from hh_exudyn.campaign.collective.sampling import (
     Estimates,
+    by_units,
     halving_error,
     next_samples,
-    of_overlays,
     of_samples,
     samples_to_error,
 )
@@ -136,8 +137,8 @@ def test_overlays_are_covered_and_beat_independent_cells_on_what_is_nearly_addit
 
     hits, many = 0, 1000
     for _ in range(many):
-        mean, half = of_overlays(np.array([[total()] for _ in range(5)]))
-        hits += abs(mean[0] - exact) <= half[0]
+        whole = of_samples(np.ones(1), [np.array([[total()] for _ in range(5)])])
+        hits += abs(whole.total[0] - exact) <= whole.half_width()[0]
     assert hits / many == pytest.approx(0.95, abs=0.03)
     scatter = np.std([total() for _ in range(1000)])
     random = math.sqrt(math.fsum(share * (value(levels) - exact) ** 2 for levels, share in cells) / 12)
@@ -168,3 +169,32 @@ def test_the_halving_error_bounds_that_of_the_finer_steps() -> None:
         steps = [gauge_deviations(GaugeSpread(4e-3, 2.0, 3), h) for h in (halvings - 1, halvings)]
         share = [math.fsum(step.share for step in each if step.value > limit) for each in steps]
         assert abs(share[1] - above / whole) <= 1.0 / (3 * 2**halvings)  # one step at most
+
+
+def test_overlays_of_groups_are_samples_of_units() -> None:
+    """A known function of the strata's labels: the stated interval holds the result of the full product."""
+
+    def value(stratum: Stratum) -> float:
+        curve = 0.0 if stratum.straight else 300.0 / stratum.radius_m
+        return math.exp(3.0 * stratum.friction_tread * curve) * (1.0 + 0.05 * (1445.0 - stratum.gauge_mm))
+
+    text = template_text()
+    full = Collective(
+        plan_of_text(text.replace('"overlay"', '"full"').replace("replicates = 3", "replicates = 1"))
+    )
+    exact = math.fsum(item.weight * value(item.stratum) for item in full.strata)
+    found = Collective(plan_of_text(text.replace("replicates = 3", "replicates = 12")))
+    units, known = by_units(
+        np.array([item.weight for item in found.strata]),
+        [found.unit(item.stratum) for item in found.strata],
+        np.array([item.stratum.replicate for item in found.strata]),
+        np.array([[value(item.stratum)] for item in found.strata]),
+    )
+    assert len(units) == 10  # five groups, loaded and empty
+    assert set(known.count) == {12}
+    assert known.weight.sum() == pytest.approx(1.0, abs=1e-12)
+    assert known.total[0] == pytest.approx(
+        math.fsum(item.weight * value(item.stratum) for item in found.strata), rel=1e-12
+    )
+    assert abs(known.total[0] - exact) < 2.0 * known.half_width()[0]
+    assert known.half_width()[0] < 0.01 * exact

@@ -14,8 +14,8 @@ SMALL = (
     template_text()
     .replace('kind = "overlay"', 'kind = "full"')
     .replace("quantiles = 3", "quantiles = 1")
-    .replace("of_largest_percent = [100.0, 80.0], share_percent = [70.0, 30.0]", "of_largest_percent = [100.0], share_percent = [100.0]")
-)  # fmt: skip
+    .replace("[100.0, 80.0], share_percent = [70.0, 30.0]", "[100.0], share_percent = [100.0]")
+)
 
 
 @pytest.fixture(scope="module")
@@ -75,8 +75,24 @@ def test_resampled_cells_keep_their_weight_and_their_old_seeds(small: Collective
     assert rest == {s.stratum.key for s in small.strata if s.stratum.cell != cell}
 
 
-def test_cells_that_cannot_be_resampled(small: Collective) -> None:
-    with pytest.raises(ValueError, match="1 replicates of cell none: allowed 1 or more of a cell"):
+def test_overlays_of_single_groups_are_resampled() -> None:
+    """Of overlays a unit is a group of a running: new ones are added, old ones keep seeds and shares."""
+    found = Collective(plan_of_text(template_text()))
+    more = found.resampled({"loaded;<350": 5})
+    assert math.fsum(s.weight for s in more) == pytest.approx(1.0, abs=1e-12)
+    for hand, share in (("left", 0.0115), ("right", 0.011)):  # Table 1-3: 2.3 and 2.2 %, half of it loaded
+        mine = [
+            s
+            for s in more
+            if (s.stratum.running, s.stratum.curve_class, s.stratum.hand) == ("loaded", "<350", hand)
+        ]
+        assert math.fsum(s.weight for s in mine) == pytest.approx(share, abs=1e-12)
+        assert {s.stratum.replicate for s in mine} == {1, 2, 3, 4, 5}
+    assert {s.stratum.key for s in found.strata} < {s.stratum.key for s in more}
+
+
+def test_units_that_cannot_be_resampled(small: Collective) -> None:
+    with pytest.raises(ValueError, match="1 replicates of unit 'none': allowed 1 or more of a unit"):
         small.resampled({"none": 1})
-    with pytest.raises(ValueError, match=r"design.kind is 'overlay': allowed for single cells is 'full'"):
-        Collective(plan_of_text(template_text())).resampled({})
+    with pytest.raises(ValueError, match="0 replicates of unit 'loaded;<350'"):
+        Collective(plan_of_text(template_text())).resampled({"loaded;<350": 0})
