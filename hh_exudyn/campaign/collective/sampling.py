@@ -13,8 +13,8 @@ variance for a given number of cases has n_h in proportion to W_h s_h (Neyman). 
 one by one: the next case goes where W_h s_h / sqrt(n_h (n_h + 1)) is largest, the gain of one more sample
 (T. Wright, The American Statistician 66 (2012) 217-224).
 
-Strata must be independent: every case has a seed of its own (`hh_exudyn.campaign.collective.strata`). Equation
-numbers are from memory of the book; the formulas are checked by simulation in the tests.
+Strata must be independent: every case has a seed of its own (`hh_exudyn.campaign.collective.strata`).
+Equation numbers are from memory of the book; the formulas are checked by simulation in the tests.
 """
 
 from collections.abc import Sequence
@@ -159,7 +159,8 @@ def by_units(
     """Units of sampling and their estimates, from one row a weighted stratum.
 
     A replicate of a unit is a sample: the weighted mean of its rows. That holds for cells, and for overlays
-    of a group, of which the cells depend on each other but whole overlays do not (`hh_exudyn.campaign.collective.collective.Collective.unit`).
+    of a group, of which the cells depend on each other but whole overlays do not
+    (`hh_exudyn.campaign.collective.collective.Collective.unit`).
 
     Parameters
     ----------
