@@ -23,17 +23,19 @@ to that share. The error of what is computed with them is that of sampling, and 
 `track`            the track of a stratum and its evaluated parts
 `case_of_stratum`  the case of a stratum
 `films`            natural and artificial lubricant for the wear coefficients of a case
-`collective`       `Collective`: weighted strata and cases, assumed numbers, halving of axes
+`weighted`         strata and cases with their weights
+`collective`       `Collective`: all weighted strata and cases of a plan, assumed numbers, halving of axes
 `listing`          the strata as a table
 `sampling`         errors of weighted sums, and which case is the next
 =================  ==================================================================================
 """
 
-from hh_exudyn.campaign.collective.collective import Collective, WeightedCase, WeightedStratum
+from hh_exudyn.campaign.collective.collective import Collective
 from hh_exudyn.campaign.collective.plan import HALVED, Films, Plan
 from hh_exudyn.campaign.collective.plan_file import plan_of_text, read_plan
 from hh_exudyn.campaign.collective.strata import Stratum
 from hh_exudyn.campaign.collective.template import template_text
+from hh_exudyn.campaign.collective.weighted import WeightedCase, WeightedStratum
 
 __all__ = [
     "HALVED",

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, Self
 
 import numpy as np
+import pyarrow as pa
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.campaign.collective.axes import (
@@ -22,10 +23,12 @@ from hh_exudyn.campaign.collective.axes import (
 from hh_exudyn.campaign.collective.case_of_stratum import Setting, case_of
 from hh_exudyn.campaign.collective.design import full_product, overlay
 from hh_exudyn.campaign.collective.groups import STRAIGHT, Geometry, Group, Member, TrackKind, groups_of
-from hh_exudyn.campaign.collective.plan import HALVED, Films, Haul, Plan, Running, Season
+from hh_exudyn.campaign.collective.listing import strata_table
+from hh_exudyn.campaign.collective.plan import HALVED, Haul, Plan, Running, Season
 from hh_exudyn.campaign.collective.plan_file import read_plan
 from hh_exudyn.campaign.collective.strata import Stratum
-from hh_exudyn.campaign.collective.track import EvaluatedPart, evaluated_parts, track_length
+from hh_exudyn.campaign.collective.track import evaluated_parts, track_length
+from hh_exudyn.campaign.collective.weighted import WeightedCase, WeightedStratum
 from hh_exudyn.case import Case
 from hh_exudyn.case.track import TrackCase
 from hh_exudyn.sourced import Parameter
@@ -34,53 +37,6 @@ from track.line.line_file import line_names
 from track.line.line_numbers import line_numbers
 
 _SHORTEST = TrackCase.model_fields["irregularity_shortest_m"].default  # m
-
-
-@dataclass(frozen=True)
-class WeightedStratum:
-    """A stratum with its share of the distance [-]; `setting` is what its case has beside the labels.
-
-    `mirrored`: on this share left and right are exchanged against the case.
-    """
-
-    stratum: Stratum
-    weight: float
-    mirrored: bool
-    setting: Setting
-
-
-@dataclass(frozen=True)
-class WeightedCase:
-    """A case with its share of the distance.
-
-    Attributes
-    ----------
-    case
-        Shared with other weighted cases where a run counts for several members: run it once.
-    weight
-        Share of the collective's distance; all sum to 1.
-    stratum
-        Labels and values.
-    mirrored
-        Whether left and right of the run's results are exchanged before they are added: the stretch of line
-        is the mirror image of the case. Right for vehicles and wheels without difference of left and right.
-    films
-        Natural films of the season on the wheel's zones, for `collective.films.wear_films`.
-    parts
-        Stretches of the track that are evaluated; their shares of the weight sum to 1.
-    """
-
-    case: Case
-    weight: float
-    stratum: Stratum
-    mirrored: bool
-    films: Films
-    parts: tuple[EvaluatedPart, ...]
-
-    @property
-    def seed(self) -> int:
-        """Seed of the case's irregularity, which depends on the stratum and its replicate alone."""
-        return self.stratum.seed
 
 
 class _Axes(NamedTuple):
@@ -153,6 +109,10 @@ class Collective:
                 )
             )  # fmt: skip
         return tuple(found)
+
+    def table(self) -> pa.Table:
+        """The strata as a table (`hh_exudyn.campaign.collective.listing.strata_table`)."""
+        return strata_table(self.strata, self.plan.lengths)
 
     @property
     def runs(self) -> int:

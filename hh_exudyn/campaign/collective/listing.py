@@ -5,14 +5,15 @@ from dataclasses import fields
 
 import pyarrow as pa
 
-from hh_exudyn.campaign.collective.collective import Collective, WeightedStratum
 from hh_exudyn.campaign.collective.films import DIVISORS
+from hh_exudyn.campaign.collective.plan import TrackLengths
 from hh_exudyn.campaign.collective.strata import Stratum
 from hh_exudyn.campaign.collective.track import PARTS, part_shares
+from hh_exudyn.campaign.collective.weighted import WeightedStratum
 from track.friction import ZONES
 
 
-def strata_table(collective: Collective, strata: Sequence[WeightedStratum] | None = None) -> pa.Table:
+def strata_table(rows: Sequence[WeightedStratum], lengths: TrackLengths) -> pa.Table:
     """One row a stratum: weight, mirror image or not, seed, all labels; columns are named with units.
 
     Weights and parts are shares of the distance; the parts of a row sum to its weight. The radius of straight
@@ -20,12 +21,11 @@ def strata_table(collective: Collective, strata: Sequence[WeightedStratum] | Non
 
     Parameters
     ----------
-    collective : Collective
-        With its lengths.
-    strata : sequence of WeightedStratum or None
-        Some of its strata; None: all.
+    rows : sequence of WeightedStratum
+        Strata of a collective.
+    lengths : TrackLengths
+        Of its plan, for the parts.
     """
-    rows = collective.strata if strata is None else strata
     columns: dict[str, list[object]] = {
         "weight": [row.weight for row in rows],
         "mirrored": [row.mirrored for row in rows],
@@ -42,6 +42,6 @@ def strata_table(collective: Collective, strata: Sequence[WeightedStratum] | Non
         columns[f"wear_divisor_{zone}"] = [DIVISORS[film] for film in films]
     for part in PARTS:
         columns[f"weight_{part}"] = [
-            row.weight * part_shares(row.stratum, collective.plan.lengths).get(part, 0.0) for row in rows
+            row.weight * part_shares(row.stratum, lengths).get(part, 0.0) for row in rows
         ]
     return pa.table(columns)

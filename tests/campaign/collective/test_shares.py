@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 
 from hh_exudyn.campaign.collective import Collective, plan_of_text, template_text
-from hh_exudyn.campaign.collective.listing import strata_table
 from hh_exudyn.campaign.collective.plan import DESIGNS, HANDS
 from track.irregularity.quality import CLASSES
 from track.line.line import read_line
@@ -111,7 +110,7 @@ def test_mean_curvature_of_merged_classes_is_the_tables() -> None:
 
 def test_the_table_has_a_row_a_stratum_and_parts_that_sum_to_its_weight() -> None:
     mine = collective()
-    rows = strata_table(mine).to_pylist()
+    rows = mine.table().to_pylist()
     assert len(rows) == len(mine.strata)
     for row in rows:
         parts = math.fsum(row[f"weight_{part}"] for part in ("transition_in", "body", "transition_out"))

@@ -92,7 +92,7 @@ def test_overlays_of_single_groups_are_resampled() -> None:
 
 
 def test_units_that_cannot_be_resampled(small: Collective) -> None:
-    with pytest.raises(ValueError, match="1 replicates of unit 'none': allowed 1 or more of a unit"):
+    with pytest.raises(ValueError, match="1 replicates of unit 'none': allowed 1 or more of a known unit"):
         small.resampled({"none": 1})
     with pytest.raises(ValueError, match="0 replicates of unit 'loaded;<350'"):
         Collective(plan_of_text(template_text())).resampled({"loaded;<350": 0})
