@@ -185,7 +185,7 @@ def test_a_case_runs_over_all_its_parts(tmp_path: Path) -> None:
     collective = Collective(plan_of_text(text))
     (found,) = collective.cases([first(collective, lambda s: s.curve_class == "<350")])
     simulate(found.case, tmp_path / "run")
-    log = open_run(tmp_path / "run").contact
+    log = open_run(tmp_path / "run").contact()
     s = log["s"].to_numpy()
     for part in found.parts:
         inside = (s > part.start) & (s < part.end)
