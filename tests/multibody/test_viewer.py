@@ -100,7 +100,11 @@ def test_the_window_shows_the_run_and_changes_nothing(screen: str, tmp_path) -> 
     """Brown car body and grey wheels in the picture; both runs have the same logs."""
     from hh_exudyn.log.store import open_run
 
-    env = {**os.environ, "DISPLAY": screen, "PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), *sys.path])}
+    env = {
+        **os.environ,
+        "DISPLAY": screen,
+        "PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), *sys.path]),
+    }
     subprocess.run([sys.executable, "-c", LOOK, str(tmp_path)], env=env, check=True, timeout=500)
     shown, plain = (open_run(tmp_path / name) for name in ("shown", "plain"))
     for name in ("contact", "motion", "energy"):
