@@ -36,6 +36,10 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "damage": ("hh_exudyn.contact", "hh_exudyn.log"),
     "hh_exudyn.case": ("vehicles", "track", "hh_exudyn.contact"),
     "hh_exudyn.multibody": ("hh_exudyn.case", "vehicles", "track", "hh_exudyn.contact", "hh_exudyn.log"),
+    "hh_exudyn.campaign": (
+        "hh_exudyn.case", "hh_exudyn.multibody", "damage", "hh_exudyn.log", "hh_exudyn.contact", "vehicles",
+        "track",
+    ),
     "hh_exudyn.assessment": ("hh_exudyn.log", "hh_exudyn.case", "hh_exudyn.contact", "vehicles", "track"),
     "hh_exudyn.figures": ("hh_exudyn.contact", "hh_exudyn.assessment", "track", "vehicles"),
     "hh_exudyn.playback": (

@@ -177,5 +177,5 @@ def _checksum(header: Mapping[str, Any], arrays: Mapping[str, NDArray[Any]]) -> 
     for name in sorted(arrays):
         values = np.ascontiguousarray(arrays[name])
         digest.update(f"{name}{values.dtype.str}{values.shape}".encode())
-        digest.update(values)
+        digest.update(values.tobytes())
     return digest.hexdigest()
