@@ -30,7 +30,6 @@
 `built`          `build(case)`: the system before `Assemble()`, in its user's hands
 `once`           `simulate_once`: finished runs of a study are reused
 `many`           `simulate_many`: a pool of processes, a folder for each case
-`workers`        processes of one thread each, that end with the one that began them
 `hysteresis`     force over deflection of a bogie's friction elements in slow cycles
 `free_wheelset`  a wheelset that nothing guides, on cones
 `validation`     vehicles against closed forms and outside numbers, as rows of `hh-exudyn validate`

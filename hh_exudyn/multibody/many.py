@@ -14,7 +14,7 @@ from multiprocessing.queues import SimpleQueue
 from pathlib import Path
 
 from hh_exudyn.case import Case
-from hh_exudyn.multibody.workers import SPAWN, process_pool, usable_cores
+from hh_exudyn.workers import SPAWN, process_pool, usable_cores
 
 _POLL = 0.2  # s between two looks at the workers
 

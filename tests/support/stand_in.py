@@ -12,11 +12,8 @@ import numpy as np
 
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
 from damage.surface.wheel_surface import Wheel, WheelSurface
-from hh_exudyn.campaign.engine.mapping import evaluate_all
-from hh_exudyn.campaign.engine.results import ResultFolder
 from hh_exudyn.campaign.engine.sums import DamageSums, PartSums
 from hh_exudyn.campaign.engine.task import Task
-from hh_exudyn.campaign.engine.workers import ProcessWorkers
 
 CODE = {"damage": "1"}
 
@@ -70,11 +67,3 @@ def tasks(payloads: Sequence[Payload]) -> list[Task]:
         Task(f"case {one.number:g}", one, f"{one.number:08.3f}", 1.0 + i % 3, max(one.seconds, 0.01))
         for i, one in enumerate(payloads)
     ]
-
-
-def main(folder: str, count: int, quick: int) -> None:
-    """A campaign in a process of its own: after the first ones its evaluations take for ever."""
-    work = tasks([Payload(1.0 + i, 0.0 if i < quick else 60.0) for i in range(count)])
-    work = [replace(task, size=float(count - i)) for i, task in enumerate(work)]  # the quick ones first
-    with ProcessWorkers(1) as workers, ResultFolder(folder, "ours", CODE) as results:
-        evaluate_all(work, evaluate, results, workers)

@@ -115,7 +115,7 @@ class _Mapping:
             task = self.waiting.popleft()
             self.begun[task.key] += 1
             try:
-                future = self.workers.submit(evaluated, self.evaluate, task.payload)
+                future = self.workers.submit(evaluated, self.evaluate, task.payload, task.key)
             except Exception as error:
                 if self.workers.cause(error) is not Cause.DIED:
                     raise EngineStopped(f"no work can be given out: {error}") from error

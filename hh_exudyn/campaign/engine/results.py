@@ -141,7 +141,7 @@ class ResultFolder:
             There are none; the file is not what was written.
         """
         path = self.path(key)
-        return from_bytes(path.read_bytes(), str(path))
+        return from_bytes(path.read_bytes(), key, str(path))
 
     def is_whole(self, key: str) -> bool:
         """Whether the sums of an evaluation are there; a file that is not what was written is deleted."""

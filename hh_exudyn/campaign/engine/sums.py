@@ -66,9 +66,17 @@ PartSums = dict[str, DamageSums]
 """Sums by the name of a part of the track."""
 
 
-def to_bytes(sums: Mapping[str, DamageSums]) -> bytes:
-    """Sums by part as the content of a file (npz with checksum); equal sums give the same bytes."""
-    header: dict[str, Any] = {"parts": []}
+def to_bytes(sums: Mapping[str, DamageSums], key: str) -> bytes:
+    """Sums by part as the content of a file (npz with checksum); equal sums give the same bytes.
+
+    Parameters
+    ----------
+    sums
+        By the name of the part.
+    key
+        Of what they are the sums of: a file under the name of another is found out.
+    """
+    header: dict[str, Any] = {"key": key, "parts": []}
     arrays: Arrays = {}
     for i, (name, one) in enumerate(sums.items()):
         heads = []
@@ -80,22 +88,26 @@ def to_bytes(sums: Mapping[str, DamageSums]) -> bytes:
     return pack(header, arrays)
 
 
-def from_bytes(content: bytes, source: str) -> PartSums:
+def from_bytes(content: bytes, key: str, source: str) -> PartSums:
     """Sums by part from the content of a file.
 
     Parameters
     ----------
     content
         All of the file.
+    key
+        Of what they are to be the sums of.
     source
         Its name, for messages.
 
     Raises
     ------
     BrokenFile
-        It is not what was written.
+        It is not what was written, or of another key.
     """
     header, arrays = unpack(content, source)
+    if header.get("key") != key:
+        raise BrokenFile(f"{source}: holds the sums of {header.get('key')!r}, not of {key!r}")
     own: dict[str, Arrays] = {}
     for name, values in arrays.items():
         place, _, field_name = name.rpartition("-")

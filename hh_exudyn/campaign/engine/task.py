@@ -74,17 +74,17 @@ class Evaluated:
     reason: str = ""
 
 
-def evaluated(evaluate: Evaluate, payload: Any) -> Evaluated:
+def evaluated(evaluate: Evaluate, payload: Any, key: str) -> Evaluated:
     """Evaluate a payload, in a worker: never raises.
 
     Parameters
     ----------
-    evaluate, payload
-        The function, and its argument.
+    evaluate, payload, key
+        The function, its argument, and the key of the result.
     """
     begun = clock.perf_counter()
     try:
-        content = to_bytes(evaluate(payload))
+        content = to_bytes(evaluate(payload), key)
     except MemoryError as error:
         ending, reason = Ending.LOST, f"no memory: {error}"
     except OSError as error:

@@ -16,7 +16,7 @@ from enum import Enum
 from pathlib import Path
 from typing import Any, Protocol, Self
 
-from hh_exudyn.multibody.workers import process_pool, usable_cores
+from hh_exudyn.workers import process_pool, usable_cores
 
 
 class Cause(Enum):

@@ -52,7 +52,7 @@ def test_dying_and_hanging_workers_change_no_byte(tmp_path: Path, undisturbed: d
     told: list[Standing] = []
     with ProcessWorkers(2) as workers, folder(tmp_path / "out") as results:
         # the limit has to hold a beginning worker, which loads packages
-        cost = CostModel(least_timeout=6.0)
+        cost = CostModel(least_timeout=5.0)
         report = evaluate_all(work, evaluate, results, workers, cost=cost, progress=told.append)
     assert report.failures == ()
     assert (report.count, report.reused) == (COUNT, 0)
@@ -98,8 +98,10 @@ def test_a_corrupted_result_is_made_again(tmp_path: Path, undisturbed: dict[str,
     paths = sorted((tmp_path / "out" / SUMS).glob("*.npz"))
     whole = paths[3].read_bytes()
     paths[3].write_bytes(whole[: len(whole) // 2])
-    paths[5].write_bytes(whole.replace(b"run", b"ruin"))
-    paths[6].write_bytes(b"")
+    paths[5].write_bytes(whole)  # of another case
+    middle = bytearray(paths[6].read_bytes())
+    middle[len(middle) // 3] ^= 0x55
+    paths[6].write_bytes(bytes(middle))
     report = in_threads(tmp_path / "out", work)
     assert (report.count, report.reused) == (COUNT, COUNT - 3)
     assert contents(tmp_path / "out") == undisturbed
@@ -149,7 +151,7 @@ def test_the_main_process_is_killed_and_its_folder_gone_on_with(
     """Its workers end with it, and the rest gives the bytes of an undisturbed run."""
     out = tmp_path / "out"
     process = subprocess.Popen(
-        [sys.executable, "-c", f"from stand_in import main; main({str(out)!r}, {COUNT}, 3)"],
+        [sys.executable, "-c", f"from stand_in_campaign import main; main({str(out)!r}, {COUNT}, 3)"],
         env=os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)},
         stderr=subprocess.PIPE,
         text=True,
