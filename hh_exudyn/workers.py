@@ -5,12 +5,33 @@ import os
 import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from multiprocessing.connection import wait
+from multiprocessing.context import SpawnContext, SpawnProcess
 from typing import Any
 
 SPAWN = multiprocessing.get_context("spawn")  # a copy of a process with threads may hang
 _THREADS = ("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+
+
+class KnownProcesses(SpawnContext):
+    """Begins processes as `SPAWN` does, and knows them: an executor can end none of its own."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._begun: list[SpawnProcess] = []
+
+    def Process(self, *arguments: Any, **options: Any) -> SpawnProcess:  # type: ignore[override]
+        """A process that has not started yet."""
+        process = SpawnProcess(*arguments, **options)
+        self._begun.append(process)
+        return process
+
+    def kill(self) -> None:
+        """End all of them at once."""
+        for process in self._begun:
+            with suppress(ValueError):  # closed by its executor
+                process.kill()
 
 
 def usable_cores() -> int:
@@ -22,7 +43,10 @@ def usable_cores() -> int:
 
 @contextmanager
 def process_pool(
-    count: int, begin: Callable[..., None] | None = None, arguments: tuple[Any, ...] = ()
+    count: int,
+    begin: Callable[..., None] | None = None,
+    arguments: tuple[Any, ...] = (),
+    context: SpawnContext = SPAWN,
 ) -> Iterator[ProcessPoolExecutor]:
     """A pool of processes of one thread each; what they run is waited for at the end.
 
@@ -32,10 +56,12 @@ def process_pool(
         Number of processes.
     begin, arguments
         Called in every process before its first work.
+    context
+        That begins the processes.
     """
     with (
         one_thread_each(),
-        ProcessPoolExecutor(count, SPAWN, initializer=_begin, initargs=(begin, arguments)) as pool,
+        ProcessPoolExecutor(count, context, initializer=_begin, initargs=(begin, arguments)) as pool,
     ):
         yield pool
 

@@ -4,19 +4,15 @@ All are executors of `concurrent.futures`; beside `submit` they say what an erro
 anew after a worker has died or hung.
 """
 
-import multiprocessing
 import os
-import shutil
 import signal
-import tempfile
 from collections.abc import Callable, Collection
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future
-from contextlib import ExitStack, suppress
+from contextlib import ExitStack
 from enum import Enum
-from pathlib import Path
 from typing import Any, Protocol, Self
 
-from hh_exudyn.workers import process_pool, usable_cores
+from hh_exudyn.workers import KnownProcesses, process_pool, usable_cores
 
 
 class Cause(Enum):
@@ -67,12 +63,11 @@ class ProcessWorkers:
         if count is not None and count < 1:
             raise ValueError(f"workers = {count}: allowed from 1")
         self.count = count or usable_cores()
-        self._begun = Path(tempfile.mkdtemp(prefix="hh-exudyn-workers-"))  # a file for every process
         self._start()
 
     def _start(self) -> None:
-        self._open = ExitStack()
-        self._pool = self._open.enter_context(process_pool(self.count, _begin, (str(self._begun),)))
+        self._open, self._processes = ExitStack(), KnownProcesses()
+        self._pool = self._open.enter_context(process_pool(self.count, _begin, (), self._processes))
 
     def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
         """Begin some work in a process."""
@@ -95,12 +90,7 @@ class ProcessWorkers:
         self._end()
 
     def _end(self) -> None:
-        alive = {child.pid for child in multiprocessing.active_children()}  # no other has their number yet
-        for file in self._begun.iterdir():
-            if int(file.name) in alive:
-                with suppress(ProcessLookupError):
-                    os.kill(int(file.name), signal.SIGKILL)
-            file.unlink()
+        self._processes.kill()
         self._pool.shutdown(cancel_futures=True)
         self._open.close()
 
@@ -109,7 +99,6 @@ class ProcessWorkers:
 
     def __exit__(self, *error: object) -> None:
         self._end()
-        shutil.rmtree(self._begun, ignore_errors=True)
 
 
 class DaskWorkers:
@@ -232,7 +221,6 @@ class GivenWorkers:
         pass
 
 
-def _begin(folder: str) -> None:
-    """Begin a worker: it leaves its number, and Ctrl-C to the main process."""
+def _begin() -> None:
+    """Begin a worker: Ctrl-C is for the main process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    (Path(folder) / str(os.getpid())).touch()
