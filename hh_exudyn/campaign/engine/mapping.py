@@ -16,7 +16,7 @@ from hh_exudyn.campaign.engine.cost import CostModel
 from hh_exudyn.campaign.engine.results import Failure, ResultFolder
 from hh_exudyn.campaign.engine.sums import PartSums
 from hh_exudyn.campaign.engine.task import Ending, Evaluate, Evaluated, Task, evaluated
-from hh_exudyn.campaign.engine.workers import Cause, Workers
+from hh_exudyn.campaign.engine.workers import Cause, EngineStopped, Workers
 from hh_exudyn.multibody.interruption import Interruption
 
 _POLL = 0.2  # s between two looks at the workers
@@ -25,10 +25,6 @@ ATTEMPTS = 3
 
 class TooManyFailed(RuntimeError):
     """More of the weight has failed than was allowed; the message names the tasks and reasons."""
-
-
-class EngineStopped(RuntimeError):
-    """The scheduler or the executor has gone away; what was done before is kept."""
 
 
 @dataclass(frozen=True)
@@ -101,6 +97,7 @@ class _Mapping:
     running: dict[Future[Evaluated], tuple[Task, float]] = field(default_factory=dict)
     begun: Counter[str] = field(default_factory=Counter)  # by key
     ended: list[tuple[Task, str]] = field(default_factory=list)  # since the last report, with the reason
+    arrived: list[tuple[Task, Evaluated]] = field(default_factory=list)  # not kept yet
     again: int = 0
     busy: float = 0.0
 
@@ -136,7 +133,7 @@ class _Mapping:
             error = future.exception() if not future.cancelled() else None
             if error is None and not future.cancelled():
                 task, _ = self.running.pop(future)
-                self._take(task, future.result())
+                self.arrived.append((task, future.result()))
                 continue
             cause = Cause.GONE if error is None else self.workers.cause(error)
             if cause is Cause.GONE:
@@ -178,6 +175,11 @@ class _Mapping:
             self.waiting.append(task)
         else:
             self._fail(task, Ending.LOST, reason)
+
+    def keep(self) -> None:
+        """Keep what has arrived, while the workers are busy with the next."""
+        while self.arrived:
+            self._take(*self.arrived.pop(0))
 
     def _take(self, task: Task, one: Evaluated) -> None:
         """Keep what a worker gave back."""
@@ -338,6 +340,8 @@ def _run(
     while (loop.waiting or loop.running) and not interruption.wanted:
         loop.fill()
         loop.collect()
+        loop.fill()
+        loop.keep()
         ended, loop.ended = [(task.name, reason) for task, reason in loop.ended], []
         for name, reason in ended or [("", "")]:
             done += bool(name) and not reason

@@ -23,6 +23,10 @@ class Cause(Enum):
     RAISED = "the work could not be sent or given back"
 
 
+class EngineStopped(RuntimeError):
+    """The scheduler or the executor has gone away; what was done before is kept."""
+
+
 class Workers(Protocol):
     """What `hh_exudyn.campaign.engine.mapping.evaluate_all` needs of an executor."""
 
@@ -139,7 +143,16 @@ class DaskWorkers:
     @property
     def count(self) -> int:
         """Threads of the workers that are there now."""
-        return max(1, sum(self._client.ncores().values()))
+        return max(1, sum(self._asked(self._client.ncores).values()))
+
+    def _asked(self, question: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
+        """What the scheduler answers; EngineStopped where it does not."""
+        try:
+            return question(*arguments, **options)
+        except (OSError, RuntimeError) as error:
+            raise EngineStopped(
+                f"scheduler {self._address} has gone away ({error}); what is done is kept: run it again"
+            ) from error
 
     def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
         """Begin some work on the cluster."""
@@ -162,10 +175,10 @@ class DaskWorkers:
         wanted = {self._keys[future] for future in hung}
         for future in hung:
             future.cancel()
-        processing = self._client.processing()
+        processing = self._asked(self._client.processing)
         held = [worker for worker, keys in processing.items() if wanted & set(map(str, keys))]
         if held:
-            self._client.restart_workers(held, raise_for_error=False)
+            self._asked(self._client.restart_workers, held, raise_for_error=False)
         return hung
 
     def stop(self) -> None:

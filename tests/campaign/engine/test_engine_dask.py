@@ -8,9 +8,9 @@ import pytest
 from stand_in import CODE, Payload, evaluate, tasks
 
 from hh_exudyn.campaign.engine.cost import CostModel
-from hh_exudyn.campaign.engine.mapping import EngineStopped, evaluate_all
+from hh_exudyn.campaign.engine.mapping import evaluate_all
 from hh_exudyn.campaign.engine.results import SUMS, ResultFolder
-from hh_exudyn.campaign.engine.workers import DaskWorkers, ProcessWorkers
+from hh_exudyn.campaign.engine.workers import DaskWorkers, EngineStopped, ProcessWorkers
 
 distributed = pytest.importorskip(
     "distributed", reason="dask[distributed] (the extra cluster) is not installed"
@@ -35,7 +35,7 @@ def test_processes_and_dask_give_identical_files_whatever_dies(cluster: Any, tmp
         evaluate_all(tasks([Payload(1.0 + i) for i in range(COUNT)]), evaluate, folder, workers)
     faults = {1: "die", 3: "hang"}
     work = tasks([Payload(1.0 + i, 0.0, faults.get(i, ""), tmp_path) for i in range(COUNT)])
-    cost = CostModel(least_timeout=8.0)
+    cost = CostModel(least_timeout=25.0)  # a worker begins and loads packages first
     with (
         DaskWorkers(cluster.scheduler_address) as workers,
         ResultFolder(tmp_path / "dask", "ours", CODE) as folder,
