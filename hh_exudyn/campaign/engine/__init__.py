@@ -1,4 +1,4 @@
-"""From cases to damage sums, over any executor of `concurrent.futures`; results are files, never lost.
+"""From cases to damage sums, over any executor of ``concurrent.futures``; results are files, never lost.
 
     work = CaseWork(case, parts=(Part("curve", 120.0, 220.0),))
     tasks = [case_task(work, "R 305-400", weight=0.3), ...]

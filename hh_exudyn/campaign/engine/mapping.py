@@ -216,6 +216,8 @@ def evaluate_all(
 ) -> Report:
     """Evaluate tasks whose results are not in the folder yet.
 
+    Nine arguments: what, how, into what and where; from `failing_weight` on each has a default.
+
     Parameters
     ----------
     tasks

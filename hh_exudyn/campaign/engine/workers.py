@@ -1,6 +1,6 @@
 """Where evaluations run: processes of this machine, a Dask cluster, or any executor of the caller.
 
-All are executors of `concurrent.futures`; beside `submit` they say what an error of a future means, and begin
+All are executors of ``concurrent.futures``; beside `submit` they say what an error of a future means, and begin
 anew after a worker has died or hung.
 """
 
@@ -202,7 +202,7 @@ class GivenWorkers:
     Parameters
     ----------
     executor
-        Of `concurrent.futures`.
+        Of ``concurrent.futures``.
     count
         Number of evaluations at a time.
     """
