@@ -1,7 +1,7 @@
 """Where evaluations run: processes of this machine, a Dask cluster, or any executor of the caller.
 
-All are executors of ``concurrent.futures``; beside `submit` they say what an error of a future means, and begin
-anew after a worker has died or hung.
+All are executors of ``concurrent.futures``; beside `submit` they say what the error of a future means, and
+begin anew after a worker has died or hung.
 """
 
 import os
