@@ -2,7 +2,7 @@
 
     work = CaseWork(case, parts=(Part("curve", 120.0, 220.0),))
     tasks = [case_task(work, "R 305-400", weight=0.3), ...]
-    with ResultFolder("campaign/results", campaign="malmbanan") as folder, ProcessWorkers() as workers:
+    with ResultFolder("results", "malmbanan", code()) as folder, ProcessWorkers() as workers:
         report = evaluate_all(tasks, evaluate_case, folder, workers)
         curve = weighted_sum(tasks, folder)["curve"]
 
