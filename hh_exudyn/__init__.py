@@ -13,7 +13,7 @@ from the logs alone; playback and figures show both. Read in this order:
 `hh_exudyn.multibody`          the only importer of Exudyn: forces, equilibrium, `simulate(case)`, hunting
 `hh_exudyn.log`                contact log, motion log and energy ledger as Parquet
 `damage`                       wear depth and rolling contact fatigue from the contact log
-`hh_exudyn.campaign`           load collective of a line: weighted cases
+`hh_exudyn.campaign`           load collective of a line; many cases to the damage of wheels
 `hh_exudyn.assessment`         forces and accelerations of a run after UIC 518 / EN 14363
 `hh_exudyn.playback`           rerun recordings and headless pictures
 `hh_exudyn.figures`            figures of patches, conicity, tracks, vehicles, forces, assessment, curving
@@ -24,6 +24,7 @@ from the logs alone; playback and figures show both. Read in this order:
 `hh_exudyn.text_files`         files of users: read whole, or refused in a line
 `hh_exudyn.number_lines`       numbers in lines of text: separators, decimal commas
 `hh_exudyn.signals`            filters of forces, accelerations and track
+`hh_exudyn.workers`            processes of one thread each, that end with the one that began them
 `hh_exudyn.entry_points`       vehicles, lines and wear laws of other packages
 =============================  ====================================================================
 

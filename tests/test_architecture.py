@@ -26,7 +26,7 @@ LINES = 400
 BASE = (  # everything may import these
     "hh_exudyn", "hh_exudyn.arrays", "hh_exudyn.conventions", "hh_exudyn.entry_points", "hh_exudyn.glossary",
     "hh_exudyn.kernel", "hh_exudyn.number_lines", "hh_exudyn.signals", "hh_exudyn.sourced",
-    "hh_exudyn.text_files",
+    "hh_exudyn.text_files", "hh_exudyn.workers",
 )  # fmt: skip
 MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is named by its prefix
     "hh_exudyn.contact": (),
@@ -56,6 +56,7 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "hh_exudyn.sourced": (),
     "hh_exudyn.text_files": (),
     "hh_exudyn.number_lines": (),
+    "hh_exudyn.workers": (),
     "hh_exudyn": (),  # the package itself
 }  # fmt: skip
 ONLY_IN = {"exudyn": "hh_exudyn.multibody", "numba": "hh_exudyn.kernel"}

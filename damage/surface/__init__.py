@@ -2,6 +2,8 @@
 
 =================  ==================================================================================
 `wheel_surface`    the sums of one wheel: they add, scale and weigh
+`stored`           surfaces in files: npz with checksum and version
+`tables`           surfaces as tables and as arrays with labelled axes; differences of two
 `lateral_grid`     the bins of the grid, along the arc of the profile
 `normal_contact`   strips of the run, ellipses or half-space: names, defaults, what goes together
 `accumulate`       the loop over the contact states, chunk by chunk

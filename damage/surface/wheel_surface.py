@@ -5,6 +5,9 @@ the surface of a set of runs is the sum over the runs. A load collective is a we
 a factor, as all of them count revolutions of the wheel:
 
     0.3 * curve.scaled(50e6) + 0.7 * straight.scaled(50e6)
+
+`sum()` adds them too. `damage.surface.stored` keeps them in files, `damage.surface.tables` turns them into
+tables and arrays with labelled axes, and compares them.
 """
 
 from collections.abc import Sequence
@@ -115,6 +118,8 @@ class WheelSurface:
     work: NDArray[np.float64]
     pressure_by_part: NDArray[np.float64]
 
+    __array_ufunc__ = None  # a weight that is a number of numpy leaves the product to `__rmul__`
+
     @classmethod
     def zero(
         cls, wheels: tuple[Wheel, ...], grid: LateralGrid, patch_grid: PatchGrid = DEFAULT_PATCH_GRID
@@ -190,6 +195,10 @@ class WheelSurface:
             distance=self.distance + other.distance,
         )
 
+    def __radd__(self, other: object) -> "WheelSurface":
+        """The surface itself, for the 0 that `sum()` begins with."""
+        return self if other == 0 else NotImplemented
+
     def only(self, wanted: Sequence[bool]) -> "WheelSurface":
         """The surfaces of some of the wheels.
 
@@ -223,6 +232,10 @@ class WheelSurface:
             if field.name not in ("grid", "patch_grid", "wheels", "rows", "pressure_by_part")
         }
         return replace(self, **sums)
+
+    def __mul__(self, weight: float) -> "WheelSurface":
+        """As `weight * surface`."""
+        return self.__rmul__(weight)
 
     def scaled(self, distance: float) -> "WheelSurface":
         """The surfaces after another distance of the same rolling: all sums by the ratio of revolutions.

@@ -10,19 +10,16 @@ prototype with 8 loaded ore wagons took from 8 % less to 7 % more an evaluation 
 """
 
 import math
-import multiprocessing
-import os
 import time as clock
-from collections.abc import Callable, Iterator, Mapping
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
+from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass
 from multiprocessing.queues import SimpleQueue
 from pathlib import Path
 
 from hh_exudyn.case import Case
+from hh_exudyn.workers import SPAWN, process_pool, usable_cores
 
-_THREADS = ("OMP_NUM_THREADS", "NUMBA_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 _POLL = 0.2  # s between two looks at the workers
 
 
@@ -100,9 +97,8 @@ def simulate_many(
     """
     directory = Path(directory)
     directory.mkdir(parents=True, exist_ok=True)
-    count = max(1, min(workers or _cores(), len(cases)))
-    context = multiprocessing.get_context("spawn")
-    reports = context.SimpleQueue()
+    count = max(1, min(workers or usable_cores(), len(cases)))
+    reports = SPAWN.SimpleQueue()
     outcomes: dict[str, Outcome] = {}
     begun, done = clock.perf_counter(), dict.fromkeys(cases, 0.0)
 
@@ -113,10 +109,7 @@ def simulate_many(
             left = spent * (len(new) - work) / work if work else math.inf
             progress(Standing(sum(done.values()) / len(cases), left if new else 0.0, ended))
 
-    with (
-        _one_thread_each(),
-        ProcessPoolExecutor(count, mp_context=context, initializer=_begin, initargs=(reports,)) as pool,
-    ):
+    with process_pool(count, _begin, (reports,)) as pool:
         waiting: dict[Future[Outcome], str] = {
             pool.submit(_run, name, case, directory / name): name for name, case in cases.items()
         }
@@ -140,28 +133,6 @@ def simulate_many(
 
 def _was_there(outcome: Outcome | None) -> bool:
     return outcome is not None and outcome.done_before
-
-
-def _cores() -> int:
-    """Cores that this process may use."""
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
-
-
-@contextmanager
-def _one_thread_each() -> Iterator[None]:
-    """Processes that begin meanwhile use one thread each."""
-    before = {name: os.environ.get(name) for name in _THREADS}
-    os.environ.update(dict.fromkeys(_THREADS, "1"))
-    try:
-        yield
-    finally:
-        for name, value in before.items():
-            if value is None:
-                del os.environ[name]
-            else:
-                os.environ[name] = value
 
 
 _reports: "SimpleQueue[tuple[str, float]] | None" = None  # of a worker

@@ -39,9 +39,7 @@ def provenance(sealed: SealedCase) -> dict[str, Any]:
     return {
         "inputs": sealed.digest,
         "files": {name: hashlib.sha256(content).hexdigest() for name, content in sealed.files.items()},
-        "code": source_hash("hh_exudyn.multibody"),
-        "data": _data_hash(),
-        "packages": {"hh-exudyn": __version__} | {name: _version(name) for name in _PACKAGES},
+        **software(),
         "python": platform.python_version(),
         "machine": {
             "name": platform.node(),
@@ -49,6 +47,16 @@ def provenance(sealed: SealedCase) -> dict[str, Any]:
             "processor": _processor(),
             "cores": os.cpu_count(),
         },
+    }
+
+
+@cache
+def software() -> dict[str, Any]:
+    """Code, data files and packages that the numbers of every run depend on: hashes and versions."""
+    return {
+        "code": source_hash("hh_exudyn.multibody"),
+        "data": _data_hash(),
+        "packages": {"hh-exudyn": __version__} | {name: _version(name) for name in _PACKAGES},
     }
 
 
