@@ -75,7 +75,6 @@ class WearHistory:
         columns: dict[str, list[float]] = {
             "distance_km": [1e-3 * step.distance for step in self.steps],
             "step_depth_mm": [1e3 * step.depth for step in self.steps],
-            "p_max_MPa": [1e-6 * step.pressure for step in self.steps],
         }
         for name, column, factor in (
             ("diameter", "diameter_mm", 1e3),
@@ -87,7 +86,10 @@ class WearHistory:
             ("conicity", "equivalent_conicity", 1.0),
         ):
             columns[column] = [factor * getattr(step.measures, name) for step in self.steps]
-        return pyarrow.table(columns)
+        pressures = np.array([1e-6 * step.pressure for step in self.steps])
+        return pyarrow.table(columns).append_column(
+            "p_max_MPa", pyarrow.array(pressures, from_pandas=True)  # NaN as null
+        )
 
 
 def write_step(directory: Path, number: int, step: WearStep) -> None:

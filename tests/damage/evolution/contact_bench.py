@@ -17,7 +17,8 @@ from hh_exudyn.log.channels import LOGS
 
 R0, SPEED, FRICTION, LOAD = 0.4575, 16.7, 0.35, 150e3
 RAIL = rail_profile("60E1", 1 / 30)
-POSES = tuple((shift, 1.4e-6 * shift * 1e6 * 0.6) for shift in (0.0, 3e-3, 5e-3, 6.5e-3, 7.5e-3, 8.5e-3))
+SHIFTS = (0.0, 3e-3, 5e-3, 6.5e-3, 7.5e-3, 8.5e-3)  # m
+POSES = tuple((shift, 0.8 * shift) for shift in SHIFTS)
 
 
 def bench_wear(wheel: Profile, poses: Sequence[tuple[float, float]] = POSES) -> ProfileWear:
