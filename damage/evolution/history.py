@@ -88,7 +88,8 @@ class WearHistory:
             columns[column] = [factor * getattr(step.measures, name) for step in self.steps]
         pressures = np.array([1e-6 * step.pressure for step in self.steps])
         return pyarrow.table(columns).append_column(
-            "p_max_MPa", pyarrow.array(pressures, from_pandas=True)  # NaN as null
+            "p_max_MPa",
+            pyarrow.array(pressures, from_pandas=True),  # NaN as null
         )
 
 

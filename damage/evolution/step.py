@@ -5,7 +5,8 @@ s, worn at the rate r [m/m] with the diffusivity D = d(rate)/d(convex curvature)
 
     d(depth)/dt = r = r0 - D d2u/ds2,    du/dt = -r0 + D d2u/ds2
 
-with t the distance rolled, the heat equation. A wave exp(iks) decays as exp(-D k^2 t). An explicit step T multiplies it by
+with t the distance rolled, the heat equation. A wave exp(iks) decays as exp(-D k^2 t). An explicit step T
+multiplies it by
 
     Euler   1 - z,    Heun   1 - z + z^2/2,    z = D k^2 T
 

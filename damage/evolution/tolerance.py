@@ -150,7 +150,14 @@ def tolerated_step(
         if max(shares) <= 1.0:
             ahead = max(ahead, wanted) if way < wanted else ahead
             return WearStep(
-                end, profile, now.radius - lost, float(depth.max()), measures, wear.pressure, ahead, diffusivity
+                end,
+                profile,
+                now.radius - lost,
+                float(depth.max()),
+                measures,
+                wear.pressure,
+                ahead,
+                diffusivity,
             )
         refused, way = ValueError(f"errors over tolerances {', '.join(f'{x:.3g}' for x in shares)}"), ahead
     raise ValueError(

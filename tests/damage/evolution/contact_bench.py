@@ -11,8 +11,8 @@ import pyarrow
 from damage.evolution.profile_wear import ProfileWear, mean_wear
 from damage.report import assess
 from hh_exudyn.contact.profile import Profile, rail_profile
-from hh_exudyn.contact.wheelset import wheel_on_rail
 from hh_exudyn.contact.wheel_rail import wheel_rail_model
+from hh_exudyn.contact.wheelset import wheel_on_rail
 from hh_exudyn.log.channels import LOGS
 
 R0, SPEED, FRICTION, LOAD = 0.4575, 16.7, 0.35, 150e3
@@ -37,3 +37,21 @@ def bench_wear(wheel: Profile, poses: Sequence[tuple[float, float]] = POSES) -> 
     log = pyarrow.table({c.name: np.array(rows[c.name]).astype(kinds[c.kind]) for c in LOGS["contact"]})
     contact = wheel_rail_model(wheel, wheel, RAIL, RAIL, nominal_radius=R0, normal="coupled_strips")
     return mean_wear(assess(log, profile=wheel, contact=contact, cells=(20, 20), threads=1).surface)
+
+
+STRAIGHT = tuple((shift, 0.1 * shift) for shift in (-3e-3, -1.5e-3, 0.0, 1.5e-3, 3e-3))
+LIFE = ((0.97, STRAIGHT, 6.0, 6.0), (0.03, POSES, 6.0, 100.0))
+"""Share of the distance, poses, and divisors of dry wear on the tread (lubricated by nature) and on the
+flange (greased), with a blend from y = 10 to 35 mm."""
+
+
+def life_wear(wheel: Profile) -> ProfileWear:
+    """Mean over straight track and curves, with the wear coefficients of lubricated zones."""
+    parts = [(share, bench_wear(wheel, poses), *films) for share, poses, *films in LIFE]
+    y = np.arange(-60e-3, 60e-3, 0.5e-3)
+    flange = np.clip((y - 10e-3) / 25e-3, 0.0, 1.0)
+    depth = sum(
+        share * wear.at(y) * np.exp(-((1.0 - flange) * np.log(tread) + flange * np.log(root)))
+        for share, wear, tread, root in parts
+    )
+    return ProfileWear(y, depth, max(part[1].pressure for part in parts))
