@@ -30,7 +30,7 @@ from hh_exudyn.contact.profiles.cleaning import arc_length
 
 WearOf = Callable[[Profile], ProfileWear]
 
-_ROUNDS = 40  # tries of one step: halved so often, 1000 km are a micrometre
+_ROUNDS = 25  # tries of one step: halved so often, 1000 km are 30 mm
 _SAFETY, _SHORTER, _LONGER = 0.85, 0.2, 3.0  # of the next length: usual for embedded pairs
 _DIFFUSIVITY_SAFETY = 2.0  # the measured value is a mean over the profile
 _FORGOTTEN = 0.5  # a measured diffusivity falls by no more than this from step to step
