@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from contact_bench import R0, bench_wear, life_wear
+from contact_bench import POSES, R0, bench_wear, life_wear
 
 from damage.evolution.history import WearHistory, WearStep
 from damage.evolution.loop import StepControl, evolve
@@ -21,6 +21,8 @@ WP4 = wheel_profile("WP4_like")
 TRACK = ConicityTrack()
 Y = np.linspace(-0.05, 0.05, 401)
 START = WearStep(0.0, WP4, R0, 0.0, measure(WP4, R0, TRACK))
+
+CURVES = POSES[-3:]
 
 
 def hollowing(profile: Profile) -> ProfileWear:
@@ -138,7 +140,17 @@ def test_running_in_ends_with_the_last_step_under_seizure(tmp_path: Path) -> Non
         running_in(unknown, 2.3e9)
 
 
-def test_the_notch(tmp_path: Path) -> None:
+def test_one_step_makes_no_notch() -> None:
+    """Curves, dry: the deepest 30 um of a step leave the largest pressure below its value before."""
+    now = replace(START, next_distance=5e3)
+    step = tolerated_step(now, "w", lambda wheel: bench_wear(wheel, CURVES), 5e3, StepTolerance(), TRACK)
+    assert step.distance == 5e3
+    assert step.depth > 15e-6
+    assert bench_wear(step.profile, CURVES).pressure < step.pressure
+
+
+@pytest.mark.slow
+def test_no_notch_after_several_steps(tmp_path: Path) -> None:
     """Curves, dry: some 60 um, in a few steps, leave the largest pressure below its value before."""
     sized = evolve(WP4, R0, bench_wear, 12.8e3, tmp_path, StepTolerance())
     assert bench_wear(sized.last.profile).pressure < 0.98 * sized.steps[1].pressure
