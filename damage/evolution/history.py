@@ -21,6 +21,7 @@ from damage.evolution.measures import WheelMeasures
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.log.parts import write_whole
 
+_OF_ERROR = "pressure", "next_distance", "diffusivity"  # of steps that are sized by their error
 _PATTERN = "step-{:05d}.npz"
 
 
@@ -40,6 +41,12 @@ class WearStep:
         Largest wear depth of this step [m]; 0 at the start.
     measures
         Of the profile.
+    pressure
+        Largest contact pressure of the wear that begins this step [Pa]; NaN where it is not known.
+    next_distance
+        Length of the step that the error allows next [m]; NaN where steps are not sized by their error.
+    diffusivity
+        Change of the wear rate with curvature, measured in this step [m] (`damage.evolution.step`).
     """
 
     distance: float
@@ -47,6 +54,9 @@ class WearStep:
     radius: float
     depth: float
     measures: WheelMeasures
+    pressure: float = math.nan
+    next_distance: float = math.nan
+    diffusivity: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -76,7 +86,11 @@ class WearHistory:
             ("conicity", "equivalent_conicity", 1.0),
         ):
             columns[column] = [factor * getattr(step.measures, name) for step in self.steps]
-        return pyarrow.table(columns)
+        pressures = np.array([1e-6 * step.pressure for step in self.steps])
+        return pyarrow.table(columns).append_column(
+            "p_max_MPa",
+            pyarrow.array(pressures, from_pandas=True),  # NaN as null
+        )
 
 
 def write_step(directory: Path, number: int, step: WearStep) -> None:
@@ -94,6 +108,7 @@ def write_step(directory: Path, number: int, step: WearStep) -> None:
     directory.mkdir(parents=True, exist_ok=True)
     path = directory / _PATTERN.format(number)
     numbers = {"distance": step.distance, "radius": step.radius, "depth": step.depth}
+    numbers |= {name: getattr(step, name) for name in _OF_ERROR}
     numbers |= asdict(step.measures)
     arrays: dict[str, Any] = {key: np.array(value) for key, value in numbers.items()}
     arrays |= {"name": np.array(step.profile.name), "y": step.profile.y, "z": step.profile.z}
@@ -139,6 +154,7 @@ def _read_step(path: Path) -> WearStep:
             radius=float(values["radius"]),
             depth=float(values["depth"]),
             measures=measures,
+            **{name: float(values[name]) for name in _OF_ERROR if name in values},
         )
     except (KeyError, ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error) as error:
         raise ValueError(

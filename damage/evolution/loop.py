@@ -16,6 +16,7 @@ from damage.bounds import check_above_zero, check_not_below_zero
 from damage.evolution.history import WearHistory, WearStep, read_history, write_step
 from damage.evolution.measures import ConicityTrack, measure
 from damage.evolution.profile_wear import ProfileWear
+from damage.evolution.tolerance import StepTolerance, tolerated_step
 from damage.evolution.worn_profile import SMOOTHING, step_depth, worn_profile
 from hh_exudyn.contact.profile import Profile
 
@@ -60,7 +61,7 @@ def evolve(
     wear_of: Callable[[Profile], ProfileWear],
     distance: float,
     directory: Path | str,
-    control: StepControl | None = None,
+    control: StepControl | StepTolerance | None = None,
     track: ConicityTrack | None = None,
     progress: Progress | None = None,
 ) -> WearHistory:
@@ -77,13 +78,13 @@ def evolve(
     radius
         At its running circle [m].
     wear_of
-        Wear of a wheel with the given profile: called once a step.
+        Wear of a wheel with the given profile: called once a step, with a `StepTolerance` twice or more.
     distance
         At the end, from the start [m], >= 0.
     directory
         Where the steps are written, one file each. One that holds steps of the same wheel is continued.
     control
-        Limits of a step; None takes the defaults.
+        Fixed limits of a step, or tolerances of its error; None takes the defaults of the limits.
     track
         For the equivalent conicity; None takes 60E1 1:30 at nominal gauge.
     progress
@@ -123,10 +124,12 @@ def _next(
     name: str,
     wear_of: Callable[[Profile], ProfileWear],
     distance: float,
-    control: StepControl,
+    control: StepControl | StepTolerance,
     track: ConicityTrack,
 ) -> WearStep:
     """The wheel one step later."""
+    if isinstance(control, StepTolerance):
+        return tolerated_step(now, name, wear_of, distance, control, track)
     wear = wear_of(now.profile)
     way = min(control.max_distance, distance - now.distance)
     deepest = float(step_depth(now.profile, wear, way, control.smoothing).max())
@@ -140,7 +143,7 @@ def _next(
         now.profile, wear, way, control.smoothing, f"{name} after {1e-3 * end:.0f} km"
     )
     radius = now.radius - lost
-    return WearStep(end, profile, radius, deepest, measure(profile, radius, track))
+    return WearStep(end, profile, radius, deepest, measure(profile, radius, track), wear.pressure)
 
 
 def _check_same(directory: Path, start: WearStep, wheel: Profile, radius: float) -> None:

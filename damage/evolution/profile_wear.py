@@ -34,16 +34,19 @@ class ProfileWear:
         (n,) lateral coordinate on the profile that wears, increasing [m].
     depth_per_km
         (n,) depth normal to the surface per kilometre rolled, linear in between, 0 beyond the ends [m/km].
+    pressure
+        Largest contact pressure of the collective that wears [Pa]; NaN where it is not known.
 
     Raises
     ------
     ValueError
-        Other shapes, fewer than 2 values, a lateral coordinate that does not increase, or a depth that is
-        not finite or below zero.
+        Other shapes, fewer than 2 values, a lateral coordinate that does not increase, a depth that is
+        not finite or below zero, or a pressure below zero.
     """
 
     y: FloatArray
     depth_per_km: FloatArray
+    pressure: float = math.nan
 
     def __post_init__(self) -> None:
         y, depth = np.array(self.y, dtype=np.float64), np.array(self.depth_per_km, dtype=np.float64)
@@ -57,6 +60,8 @@ class ProfileWear:
         if wrong.any():
             at = int(np.argmax(wrong))
             raise ValueError(f"depth_per_km = {depth[at]} m/km at y = {1e3 * y[at]:.3f} mm must be >= 0 m/km")
+        if self.pressure < 0.0:
+            raise ValueError(f"pressure = {self.pressure} Pa of a wear depth must be >= 0 Pa")
         for name, array in (("y", y), ("depth_per_km", depth)):
             array.setflags(write=False)
             object.__setattr__(self, name, array)
@@ -117,7 +122,8 @@ def profile_wear(
                 f"{wheel} wears together ({together!r}) with the wheels (wheelset, side) {sorted(partners)}; "
                 "the surface lacks some of them"
             )
-        found[wheel] = ProfileWear(y, depth[rows].mean(axis=0))
+        pressure = float(surface.max_pressure[rows].max())
+        found[wheel] = ProfileWear(y, depth[rows].mean(axis=0), pressure)
     return found
 
 
@@ -131,7 +137,8 @@ def mean_wear(surface: WheelSurface) -> ProfileWear:
     """
     if not (surface.wheels and surface.distance > 0.0):
         raise ValueError("a surface without wheels, or one that has not rolled, has no wear per kilometre")
-    return ProfileWear(_increasing(surface.grid.lateral), surface.depth_per_km.mean(axis=0))
+    depth, pressure = surface.depth_per_km.mean(axis=0), float(surface.max_pressure.max())
+    return ProfileWear(_increasing(surface.grid.lateral), depth, pressure)
 
 
 def _ends(wheels: Sequence[Wheel]) -> dict[int, int]:

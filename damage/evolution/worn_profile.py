@@ -58,6 +58,30 @@ def worn_profile(
         too abrupt), or no longer covers the range of contact.
     """
     depth = step_depth(wheel, wear, distance, smoothing)
+    return worn_by(wheel, depth, distance, name)
+
+
+def worn_by(
+    wheel: Profile, depth: FloatArray, distance: float, name: str | None = None
+) -> tuple[Profile, float]:
+    """The profile worn by a depth along its normals; running circle and result as of `worn_profile`.
+
+    Parameters
+    ----------
+    wheel
+        The profile before.
+    depth
+        (n,) at its points [m].
+    distance
+        Rolled for it, for the message [m].
+    name
+        Of the new profile; None keeps the name.
+
+    Raises
+    ------
+    ValueError
+        The profile folds over, or no longer covers the range of contact.
+    """
     s = arc_length(wheel.y, wheel.z)
     along_y, along_z = CubicSpline(s, wheel.y)(s, 1), CubicSpline(s, wheel.z)(s, 1)
     length = np.hypot(along_y, along_z)
