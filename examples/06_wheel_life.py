@@ -6,7 +6,6 @@ Each step runs the wagon, loaded and empty, over the SECTIONS (try 8) heaviest k
 wheel by the weighted mean of all wheels, until KM; called again it goes on. Curves are left-hand ones.
 """
 
-import shutil
 import sys
 from pathlib import Path
 
@@ -39,14 +38,13 @@ def wear_of(wheel: Profile) -> ProfileWear:
         share = {kind: kind.weight * (1 + (kind.hand == "left")) for kind in line if kind.hand != "right"}
         for kind in sorted(share, key=lambda kind: -share[kind])[:SECTIONS]:
             run = FOLDER / wheel.name / vehicle / section_name(kind)
-            if not (run.is_dir() and open_run(run).status["finished"]):
-                shutil.rmtree(run, ignore_errors=True)
-                simulate(case_on(case, kind, length=150.0, approach=30.0), run)
+            simulate(case_on(case, kind, length=150.0, approach=30.0), run, resume=True)
             log = open_run(run).contact()
             end = log.filter(pc.greater(log["time"], pc.max(log["time"]).as_py() - 80.0 / kind.speed))
             parts.append(share[kind] * assess(end, cells=(32, 16), profile=wheel).surface.scaled(1.0))
-    dry = mean_wear(sum(parts[1:], parts[0]))
-    wear = ProfileWear(dry.y, dry.depth_per_km / np.where(dry.y > 0.020, 100.0, 6.0))  # greased; lubricated
+    dry = mean_wear(sum(parts))
+    film = np.where(dry.y > 0.020, 100.0, 6.0)  # divides the wear: greased flange; lubricated tread
+    wear = ProfileWear(dry.y, dry.depth_per_km / film, dry.pressure)
     for place, low, high in (("circle", -0.005, 0.005), ("tread", -0.04, 0.02), ("flange", 0.02, 0.06)):
         print(f"{wheel.name}, {place}: {1e9 * wear.at(np.linspace(low, high, 99)).max():.1f} um per 1000 km")
     return wear
