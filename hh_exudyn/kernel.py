@@ -214,7 +214,8 @@ class _KernelCache(FunctionCache):
 # numba. It changes the order of no sum, so no result.
 numba.config.SLP_VECTORIZE = 1
 # A product and the sum behind it are rounded once instead of twice (fused multiply-add): an evaluation of a
-# vehicle takes 7 to 12 % less. No sum changes its order, and no other freedom is given to the compiler.
+# vehicle at rest takes 7 to 12 % less, a whole run hardly. No sum changes its order, and no other freedom is
+# given to the compiler.
 _CONTRACTION = {"contract"}
 
 
