@@ -24,6 +24,10 @@ from hh_exudyn.log.parts import write_bytes
 VERSION = 1  # of the form; files of others are refused
 _HEADER = "header"
 _ARRAYS = tuple(field.name for field in fields(WheelSurface) if field.type == NDArray[np.float64])
+_UNREADABLE = (  # what a file cut off or with flipped bits may raise, the last one for an unknown flag
+    *(OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile, zlib.error),
+    NotImplementedError,
+)
 _LEVEL = 1  # of compression: most bins are zero, and higher levels take longer for little
 
 Arrays = dict[str, NDArray[Any]]
@@ -159,11 +163,9 @@ def unpack(content: bytes, source: str) -> tuple[dict[str, Any], Arrays]:
             arrays = {name: archive[name] for name in archive.files if name != _HEADER}
             whole = json.loads(archive[_HEADER].tobytes().decode())
         version, checksum, header = whole["version"], whole["checksum"], dict(whole["content"])
-    except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile, zlib.error) as error:
+    except _UNREADABLE as error:
         reason = " ".join(str(error).split())[:160]
         raise BrokenFile(f"{source}: cannot be read ({reason})") from None
-    except NotImplementedError as error:  # a flag of the archive that was flipped
-        raise BrokenFile(f"{source}: cannot be read ({error})") from None
     if version != VERSION:
         raise BrokenFile(f"{source}: is of version {version}, allowed is {VERSION}")
     if checksum != _checksum(header, arrays):
