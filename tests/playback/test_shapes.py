@@ -210,7 +210,7 @@ def test_a_check_rail_stands_a_flangeway_inside_the_inner_rail() -> None:
     gauge, flangeway = 1.445, 0.044
     alignment = Alignment((Curve(100.0, 250.0, "left", 0.0, gauge),))
     rail = RailCourse((rail_profile("60E1"),))
-    check = CheckRail(((1, 15.0, 25.0),), flangeway, height=0.020, flare_length=3.0)
+    check = CheckRail(((1, 15.0, 25.0),), flangeway, 0.020, 0.013, 3.0, 0.040, friction=0.3, stiffness=100e6)
     bare = next(pieces(alignment, rail, rail, 0.0, 40.0))
     piece = next(pieces(alignment, rail, rail, 0.0, 40.0, check))
     assert piece.rails.is_watertight

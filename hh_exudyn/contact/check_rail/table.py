@@ -60,12 +60,12 @@ class CheckRail:
 
     stretches: tuple[tuple[int, float, float], ...]
     flangeway: float
-    height: float = 0.020
-    corner_radius: float = 0.013
-    flare_length: float = 3.0
-    flare_opening: float = 0.040
-    friction: float = 0.3
-    stiffness: float = 100e6
+    height: float
+    corner_radius: float
+    flare_length: float
+    flare_opening: float
+    friction: float
+    stiffness: float
 
     def __post_init__(self) -> None:
         for name, (low, high, unit) in _RANGES.items():

@@ -31,8 +31,14 @@ STOP = 0.5 * GAUGE - FLANGEWAY - 0.5 * BACK_TO_BACK  # 717.5 - 41 - 680 = -3.5 m
 S1002 = wheel_profile("S1002")
 
 
+GIVEN = {
+    "stretches": ((LEFT, -50.0, 50.0),), "flangeway": FLANGEWAY, "height": 0.020, "corner_radius": 0.013,
+    "flare_length": 3.0, "flare_opening": 0.040, "friction": 0.3, "stiffness": 100e6,
+}  # fmt: skip
+
+
 def table(**changes: Any) -> CheckRailTable:
-    given = {"stretches": ((LEFT, -50.0, 50.0),), "flangeway": FLANGEWAY} | changes
+    given = GIVEN | changes
     return check_rail_table(CheckRail(**given), [(S1002, S1002)], BACK_TO_BACK, R0)
 
 
