@@ -100,7 +100,7 @@ def profile_wear(
         raise ValueError(f"together = {together!r}, allowed are {', '.join(map(repr, TOGETHER))}")
     if not surface.distance > 0.0:
         raise ValueError("a surface that has not rolled has no wear per kilometre")
-    depth, y = surface.depth_per_km, _increasing(surface.grid.lateral)
+    depth, y = surface.depth_per_km, increasing(surface.grid.lateral)
     ends = _ends(surface.wheels)
     place = {wheel: index for index, wheel in enumerate(surface.wheels)}
     found = {}
@@ -138,7 +138,7 @@ def mean_wear(surface: WheelSurface) -> ProfileWear:
     if not (surface.wheels and surface.distance > 0.0):
         raise ValueError("a surface without wheels, or one that has not rolled, has no wear per kilometre")
     depth, pressure = surface.depth_per_km.mean(axis=0), float(surface.max_pressure.max())
-    return ProfileWear(_increasing(surface.grid.lateral), depth, pressure)
+    return ProfileWear(increasing(surface.grid.lateral), depth, pressure)
 
 
 def _ends(wheels: Sequence[Wheel]) -> dict[int, int]:
@@ -148,7 +148,13 @@ def _ends(wheels: Sequence[Wheel]) -> dict[int, int]:
     return {vehicle: found[0] + found[-1] for vehicle, found in lists.items()}
 
 
-def _increasing(lateral: FloatArray) -> FloatArray:
-    """Middles of bins, made increasing: beyond the ends of a profile's arc several may coincide."""
+def increasing(lateral: FloatArray) -> FloatArray:
+    """Middles of bins, made increasing: beyond the ends of a profile's arc several may coincide.
+
+    Parameters
+    ----------
+    lateral
+        (B,) `damage.surface.lateral_grid.LateralGrid.lateral` [m].
+    """
     least = np.arange(lateral.size) * math.ulp(1.0)
     return np.maximum.accumulate(lateral) + least

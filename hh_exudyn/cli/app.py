@@ -25,6 +25,7 @@ import typer
 
 from hh_exudyn import __version__
 from hh_exudyn.cli import assess as cli_assess
+from hh_exudyn.cli import campaign as cli_campaign
 from hh_exudyn.cli import compare as cli_compare
 from hh_exudyn.cli import contact as cli_contact
 from hh_exudyn.cli import creep_curve as cli_creep_curve
@@ -55,6 +56,7 @@ cli_track.register(app)
 cli_assess.register(app)
 cli_twist_test.register(app)
 cli_compare.register(app)
+cli_campaign.register(app)
 cli_vehicle.register(app)
 cli_linear.register(app)
 cli_parameters.register(app)

@@ -53,7 +53,7 @@ def read_plan(path: str | Path) -> Plan:
         value, unit, allowed); shares that do not sum to 100 %; names used twice; a table without source.
     """
     path = Path(path)
-    return _plan(SourcedTable(read_toml(path), str(path)), path.parent)
+    return plan_of_entries(read_toml(path), str(path), path.parent)
 
 
 def plan_of_text(text: str, source: str = "campaign", folder: Path | None = None) -> Plan:
@@ -68,7 +68,20 @@ def plan_of_text(text: str, source: str = "campaign", folder: Path | None = None
     folder : Path or None
         Start of relative paths; None: the working directory.
     """
-    return _plan(SourcedTable(parsed_toml(text, source), source), folder or Path())
+    return plan_of_entries(parsed_toml(text, source), source, folder or Path())
+
+
+def plan_of_entries(entries: dict[str, Any], source: str, folder: Path) -> Plan:
+    """As `read_plan`, from the tables of a file.
+
+    Parameters
+    ----------
+    entries : dict
+        As tomllib gives them.
+    source, folder
+        As `plan_of_text`.
+    """
+    return _plan(SourcedTable(entries, source), folder)
 
 
 def _plan(file: SourcedTable, folder: Path) -> Plan:

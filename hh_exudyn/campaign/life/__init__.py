@@ -1,0 +1,18 @@
+"""The life of wheels: from the rates of a load collective to profiles over the distance, step by step.
+
+    campaign = Campaign.begin("campaign.toml", "folder")
+    with ProcessWorkers() as workers:
+        campaign.run(workers, distance=150e6)
+    campaign.histories()["leading outer"].to_table()
+
+=================  ==================================================================================
+`groups`           wheels that wear alike: by axle, by role in curves, or each by itself
+`plan`             a campaign's file: the load collective, and tables for wheels, damage, steps
+`rates`            wear and crack rates of a group from the sums of weighted cases
+`profiles`         profiles as files under the hash of their points
+`reuse`            cases that need not run again, as no wheel has moved where it touches
+`evaluation`       rates for the profiles of all groups, with a record of the results taken
+`steps`            the wheels after every step on disk
+`campaign`         `Campaign`: the folder, and the loop
+=================  ==================================================================================
+"""

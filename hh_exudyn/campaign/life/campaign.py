@@ -1,0 +1,269 @@
+"""`Campaign`: a folder in which wheels run a distance, step by step, and which goes on where it was stopped.
+
+DIR/campaign.toml, campaign.json    the file, and where it was read
+DIR/results/                        sums of all cases (`hh_exudyn.campaign.engine.results`)
+DIR/profiles/, evaluations/         profiles, and which results each evaluation took
+DIR/steps/                          the wheels after every step
+"""
+
+import hashlib
+import json
+import time as clock
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from damage.evolution.history import WearHistory, WearStep
+from damage.evolution.measures import ConicityTrack, measure
+from damage.evolution.profile_wear import ProfileWear
+from damage.evolution.tolerance import tolerated_steps
+from hh_exudyn.campaign.engine.case_damage import code
+from hh_exudyn.campaign.engine.mapping import Standing
+from hh_exudyn.campaign.engine.results import ResultFolder
+from hh_exudyn.campaign.engine.workers import Workers
+from hh_exudyn.campaign.life.evaluation import Evaluated, Evaluation
+from hh_exudyn.campaign.life.plan import CampaignPlan, campaign_of_text
+from hh_exudyn.campaign.life.steps import StepEnd, StepFiles
+from hh_exudyn.contact.profile import Profile
+from hh_exudyn.log.parts import write_text
+from vehicles.catalogue import vehicle
+
+FILE, IDENTITY, RESULTS = "campaign.toml", "campaign.json", "results"
+_LAST = 1e-9  # of the distance: a remainder below it is rounding
+
+Progress = Callable[["CampaignStanding"], None]
+
+
+@dataclass(frozen=True)
+class CampaignStanding:
+    """How far a campaign is.
+
+    Attributes
+    ----------
+    distance, goal
+        Rolled since the start, and wanted [m].
+    step, evaluation
+        Number of the step that is made, from 1, and of the evaluation in it, from 1.
+    cases
+        Of the evaluation; None between evaluations.
+    spent, left
+        Time since this process began, and expected until the goal [s]; infinite before the first step.
+    text
+        What has just ended; empty for nothing.
+    """
+
+    distance: float
+    goal: float
+    step: int
+    evaluation: int
+    cases: Standing | None
+    spent: float
+    left: float
+    text: str = ""
+
+
+class BudgetSpent(Exception):
+    """The time that was given is over; what is done is kept."""
+
+
+class Campaign:
+    """A campaign's folder.
+
+    Parameters
+    ----------
+    directory
+        Of a campaign that `begin` made.
+
+    Raises
+    ------
+    ValueError
+        The folder holds no campaign, or its file cannot be read any more.
+    """
+
+    def __init__(self, directory: Path | str) -> None:
+        self.directory = Path(directory)
+        try:
+            identity = json.loads((self.directory / IDENTITY).read_text(encoding="utf-8"))
+            self._text = (self.directory / FILE).read_text(encoding="utf-8")
+            self._source, self._folder = str(identity["file"]), Path(identity["folder"])
+        except (OSError, ValueError, KeyError, TypeError) as error:
+            raise ValueError(f"{self.directory}: is no folder of a campaign ({error})") from None
+
+    @classmethod
+    def begin(cls, file: Path | str, directory: Path | str) -> "Campaign":
+        """The campaign of a file in a folder: a new one, or one of the same file that goes on.
+
+        Raises
+        ------
+        ValueError
+            A fault of the file.
+        FileExistsError
+            The folder holds another campaign, or something else.
+        """
+        file, directory = Path(file), Path(directory)
+        folder = file.parent.resolve()
+        text = file.read_text(encoding="utf-8")
+        campaign_of_text(text, str(file), folder)
+        if (directory / IDENTITY).is_file():
+            found = cls(directory)
+            if found._text != text:
+                raise FileExistsError(f"{directory}: holds the campaign of another file; begin anew")
+            return found
+        if directory.exists() and (not directory.is_dir() or any(directory.iterdir())):
+            raise FileExistsError(f"{directory}: holds something else; allowed is a new or an empty folder")
+        directory.mkdir(parents=True, exist_ok=True)
+        write_text(directory / FILE, text)
+        write_text(directory / IDENTITY, json.dumps({"file": str(file), "folder": str(folder)}) + "\n")
+        return cls(directory)
+
+    @cached_property
+    def plan(self) -> CampaignPlan:
+        """Of the file, as it was at the start."""
+        return campaign_of_text(self._text, self._source, self._folder)
+
+    @cached_property
+    def groups(self) -> tuple[str, ...]:
+        """Names of the groups of wheels."""
+        return self.plan.grouping.names(vehicle(self.plan.collective.plan.running[0].vehicle))
+
+    @cached_property
+    def files(self) -> StepFiles:
+        """Its steps."""
+        return StepFiles(self.directory, self.groups)
+
+    def histories(self) -> dict[str, WearHistory]:
+        """The wheels of each group in all steps so far."""
+        return self.files.histories()
+
+    def run(
+        self,
+        workers: Workers,
+        distance: float | None = None,
+        budget: float = float("inf"),
+        progress: Progress | None = None,
+    ) -> bool:
+        """Go on until a distance, or until a time is over.
+
+        Parameters
+        ----------
+        workers
+            Where cases run.
+        distance
+            Since the start [m]; None for that of the file.
+        budget
+            Time that may be used [s].
+        progress
+            Called some times a second, and after every step.
+
+        Returns
+        -------
+        bool
+            Whether the distance is reached.
+
+        Raises
+        ------
+        ValueError
+            A fault of a case or a profile.
+        FileExistsError
+            The folder is of other code, or another process has it.
+        TooManyFailed, EngineStopped, OSError, KeyboardInterrupt, Terminated
+            As the engine's; the campaign can be gone on with.
+        """
+        goal = self.plan.collective.plan.distance if distance is None else distance
+        name = hashlib.sha256(self._text.encode()).hexdigest()[:16]
+        with ResultFolder(self.directory / RESULTS, name, code()) as folder:
+            try:
+                _Loop(self, folder, workers, goal, clock.monotonic() + budget, progress).run()
+            except BudgetSpent:
+                return False
+        return True
+
+    def start(self) -> dict[str, WearStep]:
+        """The wheels before the first step, by group."""
+        collective = self.plan.collective
+        case = collective.cases(collective.strata[:1])[0].case
+        described = case.described_vehicle()
+        wheel, radius = case.wheels(1)[0][0], described.wheelsets[0].radius
+        measures = measure(wheel, radius, ConicityTrack())
+        return {group: WearStep(0.0, wheel, radius, 0.0, measures) for group in self.groups}
+
+
+class _Loop:
+    """Steps from the last one on disk to the goal."""
+
+    def __init__(
+        self, campaign: Campaign, folder: ResultFolder, workers: Workers, goal: float, deadline: float,
+        progress: Progress | None,
+    ) -> None:  # fmt: skip
+        self._campaign, self._goal, self._deadline, self._progress = campaign, goal, deadline, progress
+        self._began = clock.monotonic()
+        plan = campaign.plan
+        self._evaluation = Evaluation(
+            plan, plan.collective.cases(), folder, workers, campaign.directory, self._of_cases
+        )
+        self._made: list[Evaluated] = []
+        self._distance = self._first = 0.0
+        self._number = 0
+
+    def run(self) -> None:
+        files = self._campaign.files
+        if files.count == 0:
+            files.write(0, self._campaign.start(), StepEnd(0.0))
+        wheels = {group: history.last for group, history in files.histories().items()}
+        end = files.ends()[-1]
+        self._evaluation.go_on(end.evaluation)
+        self._distance = self._first = end.distance
+        self._number = files.count - 1
+        while self._goal - self._distance > _LAST * self._goal:
+            self._number += 1
+            wheels = self._step(wheels)
+            self._distance = next(iter(wheels.values())).distance
+            files.write(self._number, wheels, self._end())
+            self._tell(None, f"step {self._number} to {1e-3 * self._distance:.3f} km")
+
+    def _step(self, wheels: dict[str, WearStep]) -> dict[str, WearStep]:
+        """The wheels of all groups one step later."""
+        self._made = []
+        groups = tuple(wheels)
+
+        def wear_of(profiles: tuple[Profile, ...]) -> tuple[ProfileWear, ...]:
+            return self._wear(dict(zip(groups, profiles, strict=True)))
+
+        after = tolerated_steps(
+            tuple(wheels.values()), groups, wear_of, self._goal, self._campaign.plan.step, ConicityTrack()
+        )
+        return dict(zip(groups, after, strict=True))
+
+    def _wear(self, profiles: dict[str, Profile]) -> tuple[ProfileWear, ...]:
+        """Wear of all groups: an evaluation."""
+        found = self._evaluation(profiles)
+        self._made.append(found)
+        return tuple(found.rates[group].wear for group in profiles)
+
+    def _end(self) -> StepEnd:
+        """Of the step just made."""
+        made = self._made
+        failed = {one for evaluated in made for one in evaluated.failed}
+        return StepEnd(
+            self._distance, made[-1].digest, made[0].digest, len(made),
+            sum(one.ran for one in made), sum(one.reused for one in made), tuple(sorted(failed)),
+        )  # fmt: skip
+
+    def _of_cases(self, cases: Standing) -> None:
+        """Standing of an evaluation; ends it when the time is over."""
+        if clock.monotonic() > self._deadline:
+            raise BudgetSpent
+        self._tell(cases, "")
+
+    def _tell(self, cases: Standing | None, text: str) -> None:
+        if self._progress is None:
+            return
+        spent = clock.monotonic() - self._began
+        gone = self._distance - self._first
+        left = spent * (self._goal - self._distance) / gone if gone > 0.0 else float("inf")
+        self._progress(
+            CampaignStanding(
+                self._distance, self._goal, self._number, len(self._made) + 1, cases, spent, left, text
+            )
+        )

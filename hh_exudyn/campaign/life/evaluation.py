@@ -1,0 +1,232 @@
+"""`Evaluation`: rates of all groups of wheels, for given profiles, from the cases of a load collective.
+
+What is run is decided by what has moved (`hh_exudyn.campaign.life.reuse`), so it depends on the evaluations
+before. Therefore each leaves a record of the results that it took: the same profiles again take the same
+results, and a campaign that was killed goes on as if it had not been.
+
+    DIR/evaluations/7c01d2a94be35f10.json    results by case, under the hash of the profiles of all groups
+"""
+
+import hashlib
+import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from hh_exudyn.campaign.collective.films import wear_films
+from hh_exudyn.campaign.collective.weighted import WeightedCase
+from hh_exudyn.campaign.engine.case_damage import CaseWork, Part, case_task, evaluate_case
+from hh_exudyn.campaign.engine.mapping import Standing, evaluate_all
+from hh_exudyn.campaign.engine.results import ResultFolder
+from hh_exudyn.campaign.engine.task import Task
+from hh_exudyn.campaign.engine.workers import Workers
+from hh_exudyn.campaign.life.groups import Place
+from hh_exudyn.campaign.life.plan import CampaignPlan
+from hh_exudyn.campaign.life.profiles import ProfileFiles
+from hh_exudyn.campaign.life.rates import GroupRates, rates_of_case, weighted_mean
+from hh_exudyn.campaign.life.reuse import LastRun, has_moved
+from hh_exudyn.contact.profile import Profile
+from hh_exudyn.conventions import LEFT
+from hh_exudyn.log.parts import write_text
+from vehicles.description import Vehicle
+
+EVALUATIONS, PROFILES = "evaluations", "profiles"
+
+GroupProfiles = Mapping[str, Profile]
+GroupRatesByCase = tuple[tuple[WeightedCase, Mapping[str, GroupRates]], ...]
+
+
+@dataclass(frozen=True)
+class Evaluated:
+    """Rates for the profiles of all groups.
+
+    Attributes
+    ----------
+    digest
+        Of the profiles: name of the record.
+    rates
+        By group: the weighted mean of the cases.
+    cases
+        Rates of every weighted case that did not fail, by group.
+    ran, reused
+        Cases that were run for these profiles, and those of which a former result stands [-].
+    failed
+        Names, weights and reasons of failed cases.
+    """
+
+    digest: str
+    rates: Mapping[str, GroupRates]
+    cases: GroupRatesByCase
+    ran: int
+    reused: int
+    failed: tuple[tuple[str, float, str], ...]
+
+
+@dataclass(frozen=True)
+class _Slot:
+    """A weighted case with the groups of its wheels; slots of one name share a run."""
+
+    weighted: WeightedCase
+    vehicle: Vehicle
+    groups: Mapping[Place, str]
+    name: str
+
+
+class Evaluation:
+    """Rates of wheel groups from a load collective, by an engine, with a memory of what was run last.
+
+    Parameters
+    ----------
+    plan
+        The campaign.
+    cases
+        Of its collective, or some of them.
+    folder
+        Of results, open.
+    workers
+        Where cases run.
+    directory
+        Of the campaign, for records and profiles.
+    progress
+        Called as `evaluate_all` does.
+    """
+
+    def __init__(
+        self, plan: CampaignPlan, cases: Sequence[WeightedCase], folder: ResultFolder, workers: Workers,
+        directory: Path, progress: Callable[[Standing], None] | None = None,
+    ) -> None:  # fmt: skip
+        self._plan, self._folder, self._workers = plan, folder, workers
+        self._records, self._progress = directory / EVALUATIONS, progress
+        self.profiles = ProfileFiles(directory / PROFILES)
+        self._slots = [_slot(plan, weighted) for weighted in cases]
+        self._last: dict[str, LastRun] = {}
+        self._rates: dict[tuple[str, int], Mapping[str, GroupRates]] = {}
+
+    def go_on(self, digest: str) -> None:
+        """Remember what the evaluation of a record had run, as if it had just been made; "" for none."""
+        self._last = self._record(digest) or {}
+
+    def __call__(self, profiles: GroupProfiles) -> Evaluated:
+        """The rates for profiles by group.
+
+        Raises
+        ------
+        ValueError
+            A group without a profile, or a profile that a case refuses.
+        TooManyFailed, EngineStopped, OSError, KeyboardInterrupt, Terminated
+            As `evaluate_all`; what was run is kept.
+        """
+        digests = {group: self.profiles.put(profile) for group, profile in sorted(profiles.items())}
+        digest = hashlib.sha256(json.dumps(digests, sort_keys=True).encode()).hexdigest()[:16]
+        recorded = self._record(digest)
+        found = recorded if recorded is not None else self._planned(digests)
+        tasks = self._tasks(found, digests)
+        report = evaluate_all(
+            list(tasks.values()), evaluate_case, self._folder, self._workers,
+            self._plan.failing_weight, progress=self._progress,
+        )  # fmt: skip
+        if recorded is None:
+            self._write(digest, digests, found)
+        self._last = found
+        ran = sum(dict(last.profiles) == self._own(name, digests) for name, last in found.items())
+        rows = tuple(self._rows(found))
+        rates = {
+            group: weighted_mean([(weighted.weight, by_group[group]) for weighted, by_group in rows])
+            for group in digests
+        }
+        failed = tuple((one.name, one.weight, one.reason) for one in report.failures)
+        return Evaluated(digest, rates, rows, ran, len(found) - ran, failed)
+
+    def _own(self, name: str, digests: Mapping[str, str]) -> dict[str, str]:
+        """The profiles of the groups that a slot's wheels belong to."""
+        slot = next(slot for slot in self._slots if slot.name == name)
+        return {group: digests[group] for group in sorted(set(slot.groups.values()))}
+
+    def _planned(self, digests: Mapping[str, str]) -> dict[str, LastRun]:
+        """For every slot the result that counts: of a run to be made, or of the last one where it stands."""
+        found: dict[str, LastRun] = {}
+        for index, slot in enumerate(self._slots):
+            if slot.name in found:
+                continue
+            own = {group: digests[group] for group in sorted(set(slot.groups.values()))}
+            last = self._last.get(slot.name)
+            if last is not None and self._stands(index, last, own):
+                found[slot.name] = last
+            else:
+                found[slot.name] = LastRun(self._work(slot, own).key, own)
+        return found
+
+    def _stands(self, index: int, last: LastRun, own: Mapping[str, str]) -> bool:
+        """Whether the result of a last run stands for other profiles; that of a failed case only for its own."""
+        if dict(last.profiles) == dict(own):
+            return True
+        if self._plan.unmoved == 0.0 or self._folder.failure(last.key) is not None:
+            return False
+        before = {group: self.profiles.read(digest) for group, digest in last.profiles.items()}
+        now = {group: self.profiles.read(digest) for group, digest in own.items()}
+        return not has_moved(before, now, self._rates_of(index, last.key), self._plan.unmoved)
+
+    def _tasks(self, found: Mapping[str, LastRun], digests: Mapping[str, str]) -> dict[str, Task]:
+        """The tasks of all results, by key, each with the sum of the weights that it counts for."""
+        weights: dict[str, float] = {}
+        for slot in self._slots:
+            key = found[slot.name].key
+            weights[key] = weights.get(key, 0.0) + slot.weighted.weight
+        tasks: dict[str, Task] = {}
+        for slot in self._slots:
+            last = found[slot.name]
+            if last.key not in tasks:
+                work = self._work(slot, last.profiles)
+                tasks[last.key] = case_task(work, slot.weighted.case.name, weights[last.key])
+        return tasks
+
+    def _work(self, slot: _Slot, digests: Mapping[str, str]) -> CaseWork:
+        """The run of a slot with given profiles of its groups."""
+        weighted = slot.weighted
+        wheels = {
+            f"{wheelset}{'L' if side == LEFT else 'R'}": str(self.profiles.path(digests[group]))
+            for (wheelset, side), group in slot.groups.items()
+        }
+        case = weighted.case.with_changes(wheel_profiles=wheels)
+        parts = tuple(Part(part.name, part.start, part.end) for part in weighted.parts)
+        films = wear_films(weighted.case, weighted.films)
+        return CaseWork(case, parts, self._plan.damage, films, scratch=self._folder.scratch)
+
+    def _rows(self, found: Mapping[str, LastRun]) -> "list[tuple[WeightedCase, Mapping[str, GroupRates]]]":
+        return [
+            (slot.weighted, self._rates_of(index, found[slot.name].key))
+            for index, slot in enumerate(self._slots)
+            if self._folder.failure(found[slot.name].key) is None
+        ]
+
+    def _rates_of(self, index: int, key: str) -> Mapping[str, GroupRates]:
+        """Rates of a slot from a result."""
+        slot = self._slots[index]
+        if (key, index) not in self._rates:
+            sums = self._folder.sums(key)
+            self._rates[key, index] = rates_of_case(sums, slot.weighted, slot.vehicle, slot.groups)
+        return self._rates[key, index]
+
+    def _record(self, digest: str) -> dict[str, LastRun] | None:
+        """Results of an evaluation by slot; None where it was not made, or not to its end."""
+        try:
+            content = json.loads((self._records / f"{digest}.json").read_text(encoding="utf-8"))
+        except FileNotFoundError:
+            return None
+        return {name: LastRun(one["key"], one["profiles"]) for name, one in content["cases"].items()}
+
+    def _write(self, digest: str, digests: Mapping[str, str], found: Mapping[str, LastRun]) -> None:
+        cases = {name: {"key": last.key, "profiles": dict(last.profiles)} for name, last in found.items()}
+        self._records.mkdir(parents=True, exist_ok=True)
+        content = {"profiles": dict(digests), "cases": cases}
+        write_text(self._records / f"{digest}.json", json.dumps(content, indent=1, sort_keys=True) + "\n")
+
+
+def _slot(plan: CampaignPlan, weighted: WeightedCase) -> _Slot:
+    """A weighted case with the groups of its wheels, and a name: of its case and its groups."""
+    vehicle = weighted.case.described_vehicle()
+    stratum = weighted.stratum
+    returning = {running.name: running.returning for running in plan.collective.plan.running}
+    groups = plan.grouping.of_run(vehicle, stratum, returning[stratum.running], weighted.mirrored)
+    text = f"{stratum.key};{';'.join(groups[place] for place in sorted(groups))}"
+    return _Slot(weighted, vehicle, groups, hashlib.sha256(text.encode()).hexdigest()[:16])

@@ -1,0 +1,110 @@
+"""The steps of a campaign on disk: one file a group of wheels, and one that ends the step.
+
+    DIR/steps/step-00004.json                 distance, profiles' hash, pressures: written last
+    DIR/steps/leading-outer/step-00004.npz    the wheel of a group after the step (`damage.evolution.history`)
+
+A step counts when its json is there; what was written of a later one is written again.
+"""
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from damage.evolution.history import WearHistory, WearStep, read_history, write_step
+from hh_exudyn.log.parts import write_text
+
+STEPS = "steps"
+
+
+@dataclass(frozen=True)
+class StepEnd:
+    """What is written at the end of a step, beside the wheels.
+
+    Attributes
+    ----------
+    distance
+        Since the start [m].
+    evaluation
+        Name of the last evaluation before the end (`hh_exudyn.campaign.life.evaluation`).
+    start
+        Name of the evaluation at the start of the step; "" for the first state, before any step.
+    evaluations, ran, reused
+        Evaluations of this step, and cases run and not run again in them [-].
+    failed
+        Names, weights and reasons of cases that failed in them.
+    """
+
+    distance: float
+    evaluation: str = ""
+    start: str = ""
+    evaluations: int = 0
+    ran: int = 0
+    reused: int = 0
+    failed: tuple[tuple[str, float, str], ...] = ()
+
+
+class StepFiles:
+    """The steps in a campaign's folder.
+
+    Parameters
+    ----------
+    directory
+        Of the campaign.
+    groups
+        Of wheels.
+    """
+
+    def __init__(self, directory: Path, groups: tuple[str, ...]) -> None:
+        self.directory, self.groups = directory / STEPS, groups
+
+    def _end(self, number: int) -> Path:
+        return self.directory / f"step-{number:05d}.json"
+
+    def _folder(self, group: str) -> Path:
+        return self.directory / group.replace(" ", "-")
+
+    @property
+    def count(self) -> int:
+        """Number of whole steps, the first state included."""
+        number = 0
+        while self._end(number).is_file():
+            number += 1
+        return number
+
+    def write(self, number: int, wheels: Mapping[str, WearStep], end: StepEnd) -> None:
+        """Write a step, whole or not at all.
+
+        Parameters
+        ----------
+        number
+            From 0 for the first state.
+        wheels
+            By group.
+        end
+            Of the step.
+        """
+        for group in self.groups:
+            write_step(self._folder(group), number, wheels[group])
+        write_text(self._end(number), json.dumps(asdict(end), indent=1) + "\n")
+
+    def ends(self) -> list[StepEnd]:
+        """The ends of all whole steps. Raises ValueError for a file that is not one."""
+        return [_read_end(self._end(number)) for number in range(self.count)]
+
+    def histories(self) -> dict[str, WearHistory]:
+        """The wheels of each group, in all whole steps. Raises ValueError as `read_history`."""
+        count = self.count
+        return {group: WearHistory(read_history(self._folder(group)).steps[:count]) for group in self.groups}
+
+
+def _read_end(path: Path) -> StepEnd:
+    try:
+        found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+        return StepEnd(**{**found, "failed": tuple(tuple(one) for one in found["failed"])})
+    except (ValueError, TypeError, KeyError) as error:
+        raise ValueError(
+            f"{path}: not the end of a step, or a broken one ({error}); delete it and all later ones, and "
+            "the campaign goes on from the step before"
+        ) from None
