@@ -18,6 +18,7 @@ Start with `damage.report.assess`, which takes a run, files, a table or arrays.
 `rcf`           rolling contact fatigue: indices, counts, cracks, ratchetting, cracks with wear
 `shakedown`     shakedown limits of line and point contact, working points
 `evolution`     a wheel profile over its life: wear steps, measures, reprofiling
+`life`          limits, turnings and the diameter of a wheel, to its end
 `figures`       wear and fatigue over the profile, shakedown diagram, wear map
 ==============  ====================================================================================
 

@@ -43,6 +43,7 @@ def _of_parts(surface: WheelSurface, burstow: bool) -> dict[str, NDArray[np.floa
         if burstow:
             table[f"{prefix}corrected_rcf_number"] = surface.corrected_rcf_number[:, part].max(axis=(1, 2))
         table[f"{prefix}crack_damage"] = surface.crack_damage[:, part].max(axis=1)
+        table[f"{prefix}global_crack_damage"] = surface.global_crack_damage[:, part].max(axis=1)
     return table
 
 
@@ -111,7 +112,7 @@ class DamageReport:
         ``wear_<regime>_share`` is the part of the worn volume in each regime of the wear law; of Archard's,
         "seizure" has the least certain coefficients. The RCF numbers are the largest of all places of patch
         and profile (the corrected one is missing without Burstow's thresholds), and the crack damage is the
-        largest Miner's sum of all bins.
+        largest Miner's sum of all bins, by the local and (global) by the patch's index.
         """
         surface = self.surface
         wheels = np.array(surface.wheels, dtype=np.int32).reshape(-1, 4)

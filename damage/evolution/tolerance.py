@@ -4,11 +4,14 @@ A step is accepted on three numbers, each over its tolerance: the difference of 
 the change of the largest contact pressure from the start to Euler's profile, and the change of the equivalent
 conicity from the start to Heun's. A profile that folds over halves the step. The first step is so short that
 it wears by the tolerance of the profile.
+
+Wheels that wear over the same distance, each with its own profile, make one common step: the largest of all
+their errors decides.
 """
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -29,6 +32,7 @@ from hh_exudyn.contact.profile import Profile
 from hh_exudyn.contact.profiles.cleaning import arc_length
 
 WearOf = Callable[[Profile], ProfileWear]
+JointWearOf = Callable[[tuple[Profile, ...]], tuple[ProfileWear, ...]]
 
 _ROUNDS = 25  # tries of one step: halved so often, 1000 km are 30 mm
 _SAFETY, _SHORTER, _LONGER = 0.85, 0.2, 3.0  # of the next length: usual for embedded pairs
@@ -96,84 +100,168 @@ def filtered_rate(wheel: Profile, wear: ProfileWear, length: float) -> FloatArra
 def tolerated_step(
     now: WearStep, name: str, wear_of: WearOf, distance: float, control: StepTolerance, track: ConicityTrack
 ) -> WearStep:
-    """The wheel one accepted step later.
+    """One wheel one accepted step later: `tolerated_steps` of it alone.
 
     Parameters
     ----------
-    now
-        The wheel before.
-    name
-        Of the wheel, for the names of its profiles.
-    wear_of
-        Called at the start and once a try.
-    distance
-        At which the life ends: no step goes beyond it [m].
-    control
-        Tolerances.
-    track
-        For the equivalent conicity.
+    now, name, wear_of, distance, control, track
+        As `tolerated_steps`, of one wheel.
 
     Raises
     ------
     ValueError
         No step is short enough.
     """
-    wear = wear_of(now.profile)
-    rate = filtered_rate(now.profile, wear, control.filter_length)
-    s, left = arc_length(now.profile.y, now.profile.z), distance - now.distance
-    way = min(_first(now, rate, control), control.max_distance)
-    diffusivity = now.diffusivity
+
+    def of_one(profiles: tuple[Profile, ...]) -> tuple[ProfileWear, ...]:
+        return (wear_of(profiles[0]),)
+
+    return tolerated_steps((now,), (name,), of_one, distance, control, track)[0]
+
+
+def tolerated_steps(
+    now: tuple[WearStep, ...],
+    names: tuple[str, ...],
+    wear_of: JointWearOf,
+    distance: float,
+    control: StepTolerance,
+    track: ConicityTrack,
+) -> tuple[WearStep, ...]:
+    """Wheels one accepted step of common length later.
+
+    Parameters
+    ----------
+    now
+        The wheels before, all at one distance.
+    names
+        Of the wheels, for the names of their profiles.
+    wear_of
+        Wear of all wheels, in their order: called once at the start, on their profiles, and once a try. What
+        it raises ends the step.
+    distance
+        At which the life ends: no step goes beyond it [m].
+    control
+        Tolerances, which every wheel keeps.
+    track
+        For the equivalent conicity.
+
+    Raises
+    ------
+    ValueError
+        Wheels at several distances, another number of names or wears than wheels, or no step is short enough.
+    """
+    _check_together(now, names)
+    wears = _asked(wear_of, tuple(step.profile for step in now))
+    wheels = [_Wheel.at(*given, control) for given in zip(now, names, wears, strict=True)]
+    reached = now[0].distance
+    way, left = min(*(wheel.first(control) for wheel in wheels), control.max_distance), distance - reached
     for _ in range(_ROUNDS):
         wanted, way = way, min(way, left)
-        end = distance if way == left else now.distance + way
-        title = f"{name} after {1e-3 * end:.{0 if end >= 1e6 else 3}f} km"
+        end = distance if way == left else reached + way
         try:
-            euler = euler_increment(s, rate, way, diffusivity)
-            after = worn_by(now.profile, euler, way, title + ", Euler")[0]
-            wear_after = wear_of(after)
-            rate_after = filtered_rate(after, wear_after, control.filter_length)
-            depth = not_below_zero(s, heun_increment(s, euler, rate_after, way, diffusivity))
-            profile, lost = worn_by(now.profile, depth, way, title)
-            measures = measure(profile, now.radius - lost, track)
+            eulers = [wheel.euler(way, end) for wheel in wheels]
+        except ValueError as error:  # a profile folds over
+            refused, way = error, 0.5 * way
+            continue
+        wears = _asked(wear_of, tuple(profile for _, profile in eulers))
+        try:
+            tried = [
+                wheel.heun(*euler, wear, way, end, control, track)
+                for wheel, euler, wear in zip(wheels, eulers, wears, strict=True)
+            ]
         except ValueError as error:
             refused, way = error, 0.5 * way
             continue
-        found = measured_diffusivity(s, euler, rate, rate_after, control.filter_length)
-        diffusivity = max(_DIFFUSIVITY_SAFETY * found, _FORGOTTEN * diffusivity)
-        shares = _shares(
-            float(np.abs(depth - euler).max()) / control.profile,
-            abs(wear_after.pressure / wear.pressure - 1.0) / control.pressure if wear.pressure else 0.0,
-            abs(measures.conicity - now.measures.conicity) / control.conicity,
-        )
-        factor = _SAFETY * min(shares[0] ** -0.5, 1.0 / shares[1], 1.0 / shares[2])
-        ahead = way * min(max(factor, _SHORTER), _LONGER)
-        if max(shares) <= 1.0:
+        steps, shares = zip(*tried, strict=True)
+        worst = np.max(shares, axis=0)
+        factor = _SAFETY * min(worst[0] ** -0.5, 1.0 / worst[1], 1.0 / worst[2])
+        ahead = float(way * min(max(factor, _SHORTER), _LONGER))
+        if worst.max() <= 1.0:
             ahead = max(ahead, wanted) if way < wanted else ahead
-            return WearStep(
-                end,
-                profile,
-                now.radius - lost,
-                float(depth.max()),
-                measures,
-                wear.pressure,
-                ahead,
-                diffusivity,
-            )
-        refused, way = ValueError(f"errors over tolerances {', '.join(f'{x:.3g}' for x in shares)}"), ahead
+            return tuple(replace(step, next_distance=ahead) for step in steps)
+        wheels = [replace(w, diffusivity=step.diffusivity) for w, step in zip(wheels, steps, strict=True)]
+        refused, way = ValueError(f"errors over tolerances {', '.join(f'{x:.3g}' for x in worst)}"), ahead
     raise ValueError(
-        f"wheel profile {now.profile.name!r}: no step of wear from {1e-3 * now.distance:.3f} km on is short "
-        f"enough, down to {way:.3g} m ({refused})"
+        f"wheel profile{'s' * (len(now) > 1)} {', '.join(repr(step.profile.name) for step in now)}: "
+        f"no step of wear from {1e-3 * reached:.3f} km on is short enough, down to {way:.3g} m ({refused})"
     )
 
 
-def _first(now: WearStep, rate: FloatArray, control: StepTolerance) -> float:
-    """The length to try first [m]: that of the step before, or one that wears by the tolerance."""
-    if math.isfinite(now.next_distance):
-        return now.next_distance
-    largest = float(rate.max())
-    return control.profile / largest if largest > 0.0 else control.max_distance
+@dataclass(frozen=True, eq=False)
+class _Wheel:
+    """A wheel at the start of a step: the wear there, its filtered rate, and the diffusivity known so far."""
+
+    now: WearStep
+    name: str
+    wear: ProfileWear
+    s: FloatArray
+    rate: FloatArray
+    diffusivity: float
+
+    @classmethod
+    def at(cls, now: WearStep, name: str, wear: ProfileWear, control: StepTolerance) -> "_Wheel":
+        rate = filtered_rate(now.profile, wear, control.filter_length)
+        return cls(now, name, wear, arc_length(now.profile.y, now.profile.z), rate, now.diffusivity)
+
+    def first(self, control: StepTolerance) -> float:
+        """The length to try first [m]: that of the step before, or one that wears by the tolerance."""
+        if math.isfinite(self.now.next_distance):
+            return self.now.next_distance
+        largest = float(self.rate.max())
+        return control.profile / largest if largest > 0.0 else control.max_distance
+
+    def title(self, end: float) -> str:
+        return f"{self.name} after {1e-3 * end:.{0 if end >= 1e6 else 3}f} km"
+
+    def euler(self, way: float, end: float) -> tuple[FloatArray, Profile]:
+        """Depth and profile of Euler's step; ValueError where it folds over."""
+        depth = euler_increment(self.s, self.rate, way, self.diffusivity)
+        return depth, worn_by(self.now.profile, depth, way, self.title(end) + ", Euler")[0]
+
+    def heun(
+        self, euler: FloatArray, after: Profile, wear_after: ProfileWear, way: float, end: float,
+        control: StepTolerance, track: ConicityTrack,
+    ) -> tuple[WearStep, tuple[float, ...]]:  # fmt: skip
+        """Heun's step, and its errors over their tolerances; ValueError where it folds over.
+
+        Seven arguments: the try, from Euler's depth and profile and the wear of it, and what it is judged by.
+        """
+        rate_after = filtered_rate(after, wear_after, control.filter_length)
+        depth = not_below_zero(self.s, heun_increment(self.s, euler, rate_after, way, self.diffusivity))
+        profile, lost = worn_by(self.now.profile, depth, way, self.title(end))
+        radius = self.now.radius - lost
+        measures = measure(profile, radius, track)
+        found = measured_diffusivity(self.s, euler, self.rate, rate_after, control.filter_length)
+        diffusivity = max(_DIFFUSIVITY_SAFETY * found, _FORGOTTEN * self.diffusivity)
+        before = self.wear.pressure
+        shares = _shares(
+            float(np.abs(depth - euler).max()) / control.profile,
+            abs(wear_after.pressure / before - 1.0) / control.pressure if before else 0.0,
+            abs(measures.conicity - self.now.measures.conicity) / control.conicity,
+        )
+        deepest = float(depth.max())
+        step = WearStep(end, profile, radius, deepest, measures, before, diffusivity=diffusivity)
+        return step, shares
 
 
-def _shares(*errors: float) -> list[float]:
+def _asked(wear_of: JointWearOf, profiles: tuple[Profile, ...]) -> tuple[ProfileWear, ...]:
+    """The wear of all wheels; ValueError where there are more or fewer."""
+    wears = tuple(wear_of(profiles))
+    if len(wears) != len(profiles):
+        raise ValueError(f"wear_of gave the wear of {len(wears)} wheels, needed {len(profiles)}")
+    return wears
+
+
+def _check_together(now: tuple[WearStep, ...], names: tuple[str, ...]) -> None:
+    """Raise ValueError unless wheels are at one distance and have a name each."""
+    if not now or len(names) != len(now):
+        raise ValueError(f"{len(now)} wheels and {len(names)} names: each needs one, and one wheel at least")
+    distances = sorted({step.distance for step in now})
+    if len(distances) > 1:
+        given = ", ".join(f"{1e-3 * each:.3f}" for each in distances)
+        raise ValueError(f"wheels that wear together have run {given} km, needed the same distance")
+
+
+def _shares(*errors: float) -> tuple[float, ...]:
     """Errors over tolerances, above zero; 0 where a quantity is not known."""
-    return [max(error, 1e-12) if math.isfinite(error) else 1e-12 for error in errors]
+    return tuple(max(error, 1e-12) if math.isfinite(error) else 1e-12 for error in errors)

@@ -45,6 +45,7 @@ class Sums(NamedTuple):
     fatigue_revolutions: FloatArray  # (2, B)
     ratchet_revolutions: FloatArray  # (2, B)
     crack_damage: FloatArray  # (2, B)
+    global_crack_damage: FloatArray  # (2, B)
     pressure_by_part: FloatArray  # (2,)
     counts: FloatArray  # (2, B, X, COLUMNS) `WheelSurface`'s rcf_number, corrected_rcf_number and energy
 
@@ -69,7 +70,7 @@ class Turning(NamedTuple):
     interval: float  # [s]
     rolled: float  # [m]
     revolutions: float  # [-]
-    fatigued: bool  # whether FI_surf is above zero
+    fatigue_index: float  # FI_surf [-]
 
 
 class Work(NamedTuple):
@@ -188,7 +189,7 @@ def turning_of(states: ContactStates, row: int, interval: float, fatigue_index: 
     """
     speed, radius = states.speed[row], states.rolling_radius[row]
     rolled = speed * interval
-    return Turning(speed, radius, interval, rolled, rolled / (2.0 * math.pi * radius), fatigue_index > 0.0)
+    return Turning(speed, radius, interval, rolled, rolled / (2.0 * math.pi * radius), fatigue_index)
 
 
 @kernel
@@ -239,16 +240,18 @@ def add_patch(
 
 @kernel
 def _add_times(strips: PatchStrips, turning: Turning, bins: Bins, sums: Sums) -> None:
-    """Add the time and the revolutions of a state to the bins that its strips cover."""
+    """Add time, revolutions and damage by FI_surf of a state to the bins that its strips cover."""
+    damage = kabo_damage(turning.fatigue_index) * turning.revolutions
     for strip in range(strips.width.size):
         part, centre, width = strips.part[strip], strips.position[strip], strips.covered[strip]
         time, revolutions = sums.contact_time[part], sums.contact_revolutions[part]
         spread(centre, width, turning.interval, bins.start, bins.step, time)
         spread(centre, width, turning.revolutions, bins.start, bins.step, revolutions)
-        if turning.fatigued:
+        if turning.fatigue_index > 0.0:
             time, revolutions = sums.fatigue_time[part], sums.fatigue_revolutions[part]
             spread(centre, width, turning.interval, bins.start, bins.step, time)
             spread(centre, width, turning.revolutions, bins.start, bins.step, revolutions)
+            spread(centre, width, damage, bins.start, bins.step, sums.global_crack_damage[part])
 
 
 @kernel

@@ -21,7 +21,7 @@ from damage.surface.lateral_grid import LateralGrid, PatchGrid, ProfileArc
 from damage.surface.wheel_surface import Wheel, WheelSurface
 from hh_exudyn.log.parts import write_bytes
 
-VERSION = 1  # of the form; files of others are refused
+VERSION = 2  # of the form; files of others are refused
 _HEADER = "header"
 _ARRAYS = tuple(field.name for field in fields(WheelSurface) if field.type == NDArray[np.float64])
 _UNREADABLE = (  # what a file cut off or with flipped bits may raise, the last one for an unknown flag

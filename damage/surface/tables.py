@@ -34,6 +34,7 @@ SUMS = {
     "fatigue_revolutions": Sum(("part", "s"), "-"),
     "ratchet_revolutions": Sum(("part", "s"), "-"),
     "crack_damage": Sum(("part", "s"), "-"),
+    "global_crack_damage": Sum(("part", "s"), "-"),
     "rcf_number": Sum(("part", "s", "x"), "-"),
     "corrected_rcf_number": Sum(("part", "s", "x"), "-"),
     "energy": Sum(("part", "s", "x"), "Pa"),

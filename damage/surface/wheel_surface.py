@@ -73,6 +73,9 @@ class WheelSurface:
         (W, 2, B) revolutions in which a cell of the patch in that bin had a stress index SI above zero [-].
     crack_damage
         (W, 2, B) Miner's sum of FI_local^4 / 10.04, failure at 1 (Kabo; `damage.rcf.miner`) [-].
+    global_crack_damage
+        (W, 2, B) the same of FI_surf, one index for all bins that the patch covers: as Kabo's life was fitted
+        (Hossein-Nia 2018, 3.19) [-].
     rcf_number
         (W, 2, B, X) revolutions in which the place had SI above zero [-], see `damage.rcf.number`.
     corrected_rcf_number
@@ -108,6 +111,7 @@ class WheelSurface:
     fatigue_revolutions: NDArray[np.float64]
     ratchet_revolutions: NDArray[np.float64]
     crack_damage: NDArray[np.float64]
+    global_crack_damage: NDArray[np.float64]
     rcf_number: NDArray[np.float64]
     corrected_rcf_number: NDArray[np.float64]
     energy: NDArray[np.float64]
@@ -150,6 +154,7 @@ class WheelSurface:
             fatigue_revolutions=np.zeros((count, 2, bins)),
             ratchet_revolutions=np.zeros((count, 2, bins)),
             crack_damage=np.zeros((count, 2, bins)),
+            global_crack_damage=np.zeros((count, 2, bins)),
             rcf_number=np.zeros((count, 2, bins, along)),
             corrected_rcf_number=np.zeros((count, 2, bins, along)),
             energy=np.zeros((count, 2, bins, along)),

@@ -13,7 +13,7 @@ from damage.evolution.loop import StepControl, evolve
 from damage.evolution.measures import ConicityTrack, measure
 from damage.evolution.profile_wear import ProfileWear
 from damage.evolution.running_in import RunningIn, running_in
-from damage.evolution.tolerance import StepTolerance, filtered_rate, tolerated_step
+from damage.evolution.tolerance import StepTolerance, filtered_rate, tolerated_step, tolerated_steps
 from hh_exudyn.contact.profile import Profile, wheel_profile
 from hh_exudyn.contact.profiles.cleaning import arc_length
 
@@ -108,6 +108,60 @@ def test_no_step_is_short_enough_for_a_pressure_that_jumps() -> None:
 
     with pytest.raises(ValueError, match=r"'WP4_like': no step of wear from 0\.000 km on is short enough"):
         tolerated_step(START, "w", jumping, 1e6, StepTolerance(), TRACK)
+
+
+def milder(profile: Profile) -> ProfileWear:
+    wear = hollowing(profile)
+    return replace(wear, depth_per_km=0.1 * wear.depth_per_km)
+
+
+def test_wheels_wear_together_in_one_step() -> None:
+    """The step is that of the wheel with the largest error; asked for at once, at the start and each try."""
+    asked: list[tuple[Profile, ...]] = []
+
+    def both(profiles: tuple[Profile, ...]) -> tuple[ProfileWear, ...]:
+        asked.append(profiles)
+        return milder(profiles[0]), hollowing(profiles[1])
+
+    alone = tolerated_step(START, "worse", hollowing, 150e6, StepTolerance(), TRACK)
+    mild, worse = tolerated_steps((START, START), ("mild", "worse"), both, 150e6, StepTolerance(), TRACK)
+    assert (worse.distance, worse.next_distance) == (alone.distance, alone.next_distance)
+    np.testing.assert_array_equal(worse.profile.z, alone.profile.z)
+    assert (mild.distance, mild.next_distance) == (alone.distance, alone.next_distance)
+    assert mild.depth == pytest.approx(0.1 * worse.depth, rel=0.1)
+    assert mild.diffusivity < worse.diffusivity
+    assert mild.profile.name.startswith("mild after ")
+    assert asked[0] == (WP4, WP4)
+    assert asked.count(asked[0]) == 1
+
+
+def test_the_wear_of_all_wheels_at_one_distance_is_needed() -> None:
+    def one(profiles: tuple[Profile, ...]) -> tuple[ProfileWear, ...]:
+        return (hollowing(profiles[0]),)
+
+    with pytest.raises(ValueError, match="wear_of gave the wear of 1 wheels, needed 2"):
+        tolerated_steps((START, START), ("a", "b"), one, 1e6, StepTolerance(), TRACK)
+    with pytest.raises(ValueError, match=r"2 wheels and 1 names: each needs one"):
+        tolerated_steps((START, START), ("a",), one, 1e6, StepTolerance(), TRACK)
+    later = replace(START, distance=2e3)
+    with pytest.raises(ValueError, match=r"have run 0\.000, 2\.000 km, needed the same distance"):
+        tolerated_steps((START, later), ("a", "b"), one, 1e6, StepTolerance(), TRACK)
+
+
+def test_what_the_wear_raises_ends_the_step() -> None:
+    """No shorter step is tried: the fault of a campaign is no error of a step."""
+    asked = 0
+
+    def failing(profile: Profile) -> ProfileWear:
+        nonlocal asked
+        asked += 1
+        if asked == 2:
+            raise ValueError("7 of 20 cases failed")
+        return hollowing(profile)
+
+    with pytest.raises(ValueError, match="7 of 20 cases failed"):
+        tolerated_step(START, "w", failing, 1e6, StepTolerance(), TRACK)
+    assert asked == 2
 
 
 @pytest.mark.parametrize("name", ["profile", "pressure", "conicity", "max_distance", "filter_length"])

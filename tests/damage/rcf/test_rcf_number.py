@@ -173,6 +173,28 @@ def test_miner_sum_by_hand(make_log: MakeLog) -> None:
     assert surface.contact_revolutions[0, TREAD].max() == pytest.approx(TURNS)
 
 
+def test_global_miner_sum_by_hand(make_log: MakeLog) -> None:
+    """FI_surf = Q/P - 2 pi a b k / (3 P) (3.16): the same damage in every bin that the patch covers."""
+    index = FRICTION - 2.0 / 3.0 * math.pi * A * B * ER7.shear_yield / LOAD
+    surface = judged(make_log(**SLIDING, force_x=-FRICTION * LOAD), grid=LateralGrid(-0.07, 0.1e-3, 1400))
+    damage = surface.global_crack_damage[0, TREAD]
+    assert damage.max() == pytest.approx(TURNS * (index / 1.78) ** 4, rel=1e-12)
+    inside = np.abs(surface.grid.centres - surface.grid.centres[damage > 0.0].mean()) < B - 0.1e-3
+    np.testing.assert_allclose(damage[inside], damage.max(), rtol=1e-12)
+    assert damage.sum() * surface.grid.step == pytest.approx(2.0 * B * damage.max(), rel=1e-12)
+    assert (damage >= surface.crack_damage[0, TREAD] * (1.0 - 1e-12)).all()  # local: largest in the middle
+    twice = surface + surface.scaled(3.0 * surface.distance)
+    np.testing.assert_allclose(twice.global_crack_damage, 4.0 * surface.global_crack_damage, rtol=1e-15)
+
+
+def test_global_and_local_sum_differ_in_partial_slip(make_log: MakeLog) -> None:
+    """FI_surf is below zero where a part of the patch slips at mu p > k: then the local one alone counts."""
+    bearing = 2.0 / 3.0 * math.pi * A * B * ER7.shear_yield  # Q at which FI_surf is 0
+    surface = judged(make_log(**STATE, nu_x=1.5e-3, force_x=-0.9 * bearing))
+    assert surface.global_crack_damage.sum() == 0.0
+    assert surface.crack_damage.sum() > 0.0
+
+
 def test_bad_thresholds_and_materials(make_log: MakeLog) -> None:
     with pytest.raises(ValueError, match=r"creepages = \(0.003, 0.001, 0.01\)"):
         Burstow(520e6, 880e6, creepages=(0.003, 0.001, 0.01))

@@ -1,0 +1,243 @@
+"""Forecast of lives from constant rates of wear and of crack damage: no new evaluation, some 10 ms a life.
+
+The rates are those of one condition, per kilometre; profile and cracks go on with them. The life goes by
+steps that wear by no more than a small depth, each along the normals of the profile that it begins with. What
+a forecast leaves out: worn profiles have other rates, so it is for short distances, for the studies of what
+is assumed, and for a maintenance plan from measured rates.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import NamedTuple
+
+import numpy as np
+
+from damage.bounds import check_above_zero
+from damage.evolution.history import WearStep
+from damage.evolution.measures import ConicityTrack, WheelMeasures
+from damage.evolution.profile_wear import ProfileWear
+from damage.evolution.worn_profile import worn_profile
+from damage.life.condition import WheelCondition, between
+from damage.life.decision import Crossing, Inspection, crossings
+from damage.life.limits import WheelLimits
+from damage.life.places import WheelPlaces
+from damage.life.turning import Turning, TurningRule, turn
+from hh_exudyn.arrays import FloatArray
+from hh_exudyn.contact.profile import Profile
+from hh_exudyn.contact.profiles.measures import (
+    flange_angle,
+    flange_height,
+    flange_steepness,
+    flange_thickness,
+    tread_hollow,
+)
+
+LONGEST = 3e9  # m, of a forecast: a wheel that is not due by then has infinity
+STEP_DEPTH = 0.1e-3  # m of wear a step, as Jendel's (2002) steps
+_STEP_LIFE = (
+    0.1  # of a life by cracks a step: where the deepest crack changes its place, depths are not linear
+)
+
+_TREAD_ALONE = Inspection()
+
+
+@dataclass(frozen=True, eq=False)
+class LifeRates:
+    """Constant rates of a group of wheels.
+
+    Attributes
+    ----------
+    wear
+        Depth per kilometre over the profile.
+    damage_per_km
+        (B,) Miner's sum per kilometre by index, on the bins of the wheels' cracks [1/km].
+    """
+
+    wear: ProfileWear
+    damage_per_km: Mapping[str, FloatArray]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "damage_per_km", MappingProxyType(dict(self.damage_per_km)))
+
+    def scaled(self, wear: float = 1.0, damage: float = 1.0) -> "LifeRates":
+        """The rates times factors, for studies.
+
+        Parameters
+        ----------
+        wear, damage
+            Factors >= 0.
+        """
+        return LifeRates(
+            replace(self.wear, depth_per_km=wear * self.wear.depth_per_km),
+            {index: damage * values for index, values in self.damage_per_km.items()},
+        )
+
+
+class Forecast(NamedTuple):
+    """The limits that wheels reach, the first one first, and the wheels when they reach it.
+
+    Without a crossing the wheels are those at the end of the forecast.
+    """
+
+    crossings: tuple[Crossing, ...]
+    condition: WheelCondition
+
+    @property
+    def distance(self) -> float:
+        """Since new, at the first limit [m]; infinite where none is reached."""
+        return self.crossings[0].distance if self.crossings else np.inf
+
+
+def life_from_rates(
+    condition: WheelCondition,
+    rates: LifeRates,
+    limits: WheelLimits,
+    places: WheelPlaces,
+    inspection: Inspection = _TREAD_ALONE,
+    longest: float = LONGEST,
+    all_limits: bool = False,
+    step_depth: float = STEP_DEPTH,
+) -> Forecast:
+    """The distances at which wheels reach their limits.
+
+    Parameters
+    ----------
+    condition
+        The wheels now.
+    rates
+        Of wear and damage.
+    limits, places, inspection
+        As `damage.life.decision.measured`.
+    longest
+        Distance from now that is looked ahead [m], > 0.
+    all_limits
+        Go on beyond the first limit for the distance of every one, to the least diameter or as far as wear
+        leaves a valid profile.
+    step_depth
+        Largest wear of a step [m], > 0.
+
+    Raises
+    ------
+    ValueError
+        A number out of its range, damage that does not fit the cracks, or wear that leaves no valid profile.
+    """
+    check_above_zero("longest", longest, "m", "a forecast")
+    check_above_zero("step_depth", step_depth, "m", "a forecast")
+    way = _step_way(condition, rates, longest, step_depth, places, inspection)
+    found: dict[tuple[str, float], Crossing] = {}
+    now, at_first, end = condition, None, condition.step.distance + longest
+    while now.step.distance < end:
+        try:
+            after = _after(now, rates, min(way, end - now.step.distance))
+        except ValueError:
+            if not found:
+                raise
+            break
+        for crossing in crossings(now, after, limits, places, inspection):
+            found.setdefault((crossing.reason.measure, crossing.reason.limit), crossing)
+        if found and at_first is None:
+            at_first = between(now, after, min(one.distance for one in found.values()))
+        now = after
+        if (found and not all_limits) or ("diameter", limits.least_diameter) in found:
+            break
+    ordered = tuple(sorted(found.values(), key=lambda crossing: crossing.distance))
+    return Forecast(ordered, now if at_first is None else at_first)
+
+
+def whole_life(
+    condition: WheelCondition,
+    rates: LifeRates,
+    limits: WheelLimits,
+    rule: TurningRule,
+    inspection: Inspection = _TREAD_ALONE,
+    track: ConicityTrack | None = None,
+) -> tuple[Turning, ...]:
+    """Turnings of wheels until their diameter is used up, each life with the same rates.
+
+    Parameters
+    ----------
+    condition
+        The wheels now.
+    rates
+        Of wear and damage.
+    limits
+        Of the wheels.
+    rule
+        What a turning removes.
+    inspection
+        Which cracks decide.
+    track
+        For the equivalent conicity of turned wheels.
+
+    Returns
+    -------
+    tuple
+        The last one is the end of the wheels; none where no limit is reached.
+
+    Raises
+    ------
+    ValueError
+        As `life_from_rates` and `damage.life.turning.turn`.
+    """
+    turnings: list[Turning] = []
+    now: WheelCondition | None = condition
+    while now is not None:
+        places = WheelPlaces.of(now.step.profile)
+        forecast = life_from_rates(now, rates, limits, places, inspection)
+        if not forecast.crossings:
+            break
+        reasons = tuple(one.reason for one in forecast.crossings if one.distance <= forecast.distance)
+        turnings.append(turn(forecast.condition, limits, rule, reasons, track))
+        now = turnings[-1].condition
+        if now is not None and forecast.distance <= turnings[-1].distance - turnings[-1].since_turning:
+            raise ValueError(
+                f"wheels {now.group!r} are due by {reasons[0].measure} as soon as they are turned: "
+                f"{1e3 * reasons[0].value:.4g} mm, limit {1e3 * reasons[0].limit:.4g} mm"
+            )
+    return tuple(turnings)
+
+
+def _step_way(
+    condition: WheelCondition,
+    rates: LifeRates,
+    longest: float,
+    step_depth: float,
+    places: WheelPlaces,
+    inspection: Inspection,
+) -> float:
+    """Length of the steps [m]: by wear, and by damage of no more than a tenth of a life."""
+    deepest = float(rates.wear.depth_per_km.max(initial=0.0))
+    deciding = rates.damage_per_km.get(inspection.index, np.zeros(condition.grid.count))
+    largest = places.largest(deciding, condition.grid.lateral)
+    damage = max(largest[place] for place in inspection.places)
+    ways = [longest]
+    if deepest > 0.0:
+        ways.append(1e3 * step_depth / deepest)
+    if damage > 0.0:
+        ways.append(1e3 * _STEP_LIFE / damage)
+    return min(ways)
+
+
+def _after(now: WheelCondition, rates: LifeRates, way: float) -> WheelCondition:
+    """The wheels after a step [m] at these rates."""
+    step = now.step
+    worn, lost = worn_profile(step.profile, rates.wear, way, smoothing=0.0)
+    radius = step.radius - lost
+    depth = 1e-3 * way * float(rates.wear.depth_per_km.max(initial=0.0))
+    after = WearStep(step.distance + way, worn, radius, depth, _measures(worn, radius))
+    damage = {index: values * (1e-3 * way) for index, values in rates.damage_per_km.items()}
+    return now.after(after, damage, rates.wear.at(now.grid.lateral) * (1e-3 * way))
+
+
+def _measures(wheel: Profile, radius: float) -> WheelMeasures:
+    """Measures but for the conicity, which takes longest and decides nothing here."""
+    return WheelMeasures(
+        2.0 * radius,
+        flange_height(wheel),
+        flange_thickness(wheel),
+        flange_steepness(wheel),
+        flange_angle(wheel),
+        tread_hollow(wheel),
+        np.nan,
+    )
