@@ -12,6 +12,7 @@
 `profiles`         profiles as files under the hash of their points
 `reuse`            cases that need not run again, as no wheel has moved where it touches
 `evaluation`       rates for the profiles of all groups, with a record of the results taken
+`wheels`           wheels over a step: cracks, turning at a limit
 `steps`            the wheels after every step on disk
 `campaign`         `Campaign`: the folder, and the loop
 =================  ==================================================================================

@@ -14,10 +14,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from damage.evolution.history import WearHistory, WearStep
-from damage.evolution.measures import ConicityTrack, measure
+from damage.evolution.history import WearHistory
+from damage.evolution.measures import ConicityTrack
 from damage.evolution.profile_wear import ProfileWear
 from damage.evolution.tolerance import tolerated_steps
+from damage.life.condition import WheelCondition
 from hh_exudyn.campaign.engine.case_damage import code
 from hh_exudyn.campaign.engine.mapping import Standing
 from hh_exudyn.campaign.engine.results import ResultFolder
@@ -25,6 +26,7 @@ from hh_exudyn.campaign.engine.workers import Workers
 from hh_exudyn.campaign.life.evaluation import Evaluated, Evaluation
 from hh_exudyn.campaign.life.plan import CampaignPlan, campaign_of_text
 from hh_exudyn.campaign.life.steps import StepEnd, StepFiles
+from hh_exudyn.campaign.life.wheels import after_step, new_wheels, turned
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.log.parts import write_text
 from vehicles.catalogue import vehicle
@@ -33,6 +35,8 @@ FILE, IDENTITY, RESULTS = "campaign.toml", "campaign.json", "results"
 _LAST = 1e-9  # of the distance: a remainder below it is rounding
 
 Progress = Callable[["CampaignStanding"], None]
+Conditions = dict[str, WheelCondition]
+"""By group of wheels."""
 
 
 @dataclass(frozen=True)
@@ -133,8 +137,9 @@ class Campaign:
         return StepFiles(self.directory, self.groups)
 
     def histories(self) -> dict[str, WearHistory]:
-        """The wheels of each group in all steps so far."""
-        return self.files.histories()
+        """The wheels of each group in all steps so far, each as it was before it was turned."""
+        states = [self.files.conditions(number) for number in range(self.files.count)]
+        return {group: WearHistory(tuple(state[group].step for state in states)) for group in self.groups}
 
     def run(
         self,
@@ -179,14 +184,12 @@ class Campaign:
                 return False
         return True
 
-    def start(self) -> dict[str, WearStep]:
+    def start(self) -> dict[str, WheelCondition]:
         """The wheels before the first step, by group."""
         collective = self.plan.collective
         case = collective.cases(collective.strata[:1])[0].case
-        described = case.described_vehicle()
-        wheel, radius = case.wheels(1)[0][0], described.wheelsets[0].radius
-        measures = measure(wheel, radius, ConicityTrack())
-        return {group: WearStep(0.0, wheel, radius, 0.0, measures) for group in self.groups}
+        wheel, radius = case.wheels(1)[0][0], case.described_vehicle().wheelsets[0].radius
+        return {group: new_wheels(group, wheel, radius) for group in self.groups}
 
 
 class _Loop:
@@ -207,33 +210,51 @@ class _Loop:
         self._number = 0
 
     def run(self) -> None:
-        files = self._campaign.files
+        files, start = self._campaign.files, self._campaign.start()
         if files.count == 0:
-            files.write(0, self._campaign.start(), StepEnd(0.0))
-        wheels = {group: history.last for group, history in files.histories().items()}
-        end = files.ends()[-1]
+            files.write(0, start, StepEnd(0.0))
+        self._number, end = files.count - 1, files.ends()[-1]
+        wheels = files.conditions(self._number)
+        if end.turned:
+            wheels = self._turned(files.conditions(self._number - 1), wheels, start)[0]
         self._evaluation.go_on(end.evaluation)
         self._distance = self._first = end.distance
-        self._number = files.count - 1
         while self._goal - self._distance > _LAST * self._goal:
             self._number += 1
-            wheels = self._step(wheels)
-            self._distance = next(iter(wheels.values())).distance
-            files.write(self._number, wheels, self._end())
-            self._tell(None, f"step {self._number} to {1e-3 * self._distance:.3f} km")
+            after = self._step(wheels)
+            self._distance = next(iter(after.values())).step.distance
+            going_on, rows = self._turned(wheels, after, start)
+            files.write(self._number, after, self._end(rows))
+            wheels = going_on
+            told = "".join(f", {row['group']} turned for {row['reasons']}" for row in rows)
+            self._tell(None, f"step {self._number} to {1e-3 * self._distance:.3f} km{told}")
 
-    def _step(self, wheels: dict[str, WearStep]) -> dict[str, WearStep]:
+    def _step(self, wheels: Conditions) -> Conditions:
         """The wheels of all groups one step later."""
         self._made = []
-        groups = tuple(wheels)
+        groups, plan = tuple(wheels), self._campaign.plan
 
         def wear_of(profiles: tuple[Profile, ...]) -> tuple[ProfileWear, ...]:
             return self._wear(dict(zip(groups, profiles, strict=True)))
 
-        after = tolerated_steps(
-            tuple(wheels.values()), groups, wear_of, self._goal, self._campaign.plan.step, ConicityTrack()
-        )
-        return dict(zip(groups, after, strict=True))
+        now = tuple(condition.step for condition in wheels.values())
+        steps = tolerated_steps(now, groups, wear_of, self._goal, plan.step, ConicityTrack())
+        first, last = self._made[0].rates, self._made[-1].rates
+        return {
+            group: after_step(wheels[group], step, first[group], last[group])
+            for group, step in zip(groups, steps, strict=True)
+        }
+
+    def _turned(
+        self, before: Conditions, after: Conditions, start: Conditions
+    ) -> tuple[Conditions, tuple[dict[str, object], ...]]:
+        """The wheels that go on, and the rows of those that were turned."""
+        workshop = self._campaign.plan.workshop
+        if workshop is None:
+            return after, ()
+        found = {group: turned(before[group], after[group], start[group], workshop) for group in after}
+        rows = tuple(row for _, row in found.values() if row is not None)
+        return {group: going_on for group, (going_on, _) in found.items()}, rows
 
     def _wear(self, profiles: dict[str, Profile]) -> tuple[ProfileWear, ...]:
         """Wear of all groups: an evaluation."""
@@ -241,13 +262,14 @@ class _Loop:
         self._made.append(found)
         return tuple(found.rates[group].wear for group in profiles)
 
-    def _end(self) -> StepEnd:
+    def _end(self, turned_rows: tuple[dict[str, object], ...]) -> StepEnd:
         """Of the step just made."""
         made = self._made
         failed = {one for evaluated in made for one in evaluated.failed}
         return StepEnd(
             self._distance, made[-1].digest, made[0].digest, len(made),
             sum(one.ran for one in made), sum(one.reused for one in made), tuple(sorted(failed)),
+            turned_rows,
         )  # fmt: skip
 
     def _of_cases(self, cases: Standing) -> None:

@@ -157,7 +157,7 @@ class Evaluation:
         return found
 
     def _stands(self, index: int, last: LastRun, own: Mapping[str, str]) -> bool:
-        """Whether the result of a last run stands for other profiles; that of a failed case only for its own."""
+        """Whether the result of a last run stands for other profiles; of a failed case only for its own."""
         if dict(last.profiles) == dict(own):
             return True
         if self._plan.unmoved == 0.0 or self._folder.failure(last.key) is not None:

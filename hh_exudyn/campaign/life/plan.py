@@ -1,4 +1,4 @@
-"""What a campaign's file says beside its load collective: groups of wheels, damage, steps.
+"""What a campaign's file says beside its load collective: groups of wheels, damage, limits, steps.
 
     [wheels]
     groups = "axle_role"
@@ -8,6 +8,11 @@
     law = "archard"
     material = "ER7"
     cells = [30, 20]
+
+    [limits]
+    of = "iore_wagon"    # a vehicle of damage/data/limits.toml; without it no wheel is turned
+    targets = ["WP4_like"]
+    cracks = "global"
 
     [step]
     profile_um = 10.0
@@ -23,6 +28,10 @@ from pathlib import Path
 from typing import Any
 
 from damage.evolution.tolerance import StepTolerance
+from damage.life.condition import INDICES
+from damage.life.decision import Inspection
+from damage.life.limits import WheelLimits, limited_vehicles
+from damage.life.turning import TurningRule
 from damage.material import wheel_materials
 from damage.wear.laws import law_names
 from hh_exudyn.campaign.collective.collective import Collective
@@ -30,10 +39,30 @@ from hh_exudyn.campaign.collective.plan_file import plan_of_entries
 from hh_exudyn.campaign.collective.sourced_table import SourcedTable
 from hh_exudyn.campaign.engine.case_damage import DamageSettings
 from hh_exudyn.campaign.life.groups import GROUPINGS, Grouping
+from hh_exudyn.contact.profile import WHEEL_PROFILES, wheel_profile
 from hh_exudyn.sourced import Parameter
 from hh_exudyn.text_files import parsed_toml, read_toml
 
-_OWN = ("wheels", "damage", "step")
+_OWN = ("wheels", "damage", "limits", "step")
+
+
+@dataclass(frozen=True)
+class Workshop:
+    """When wheels are turned, and to what.
+
+    Attributes
+    ----------
+    limits
+        Of the wheels.
+    inspection
+        Which cracks decide.
+    rule
+        What a turning removes.
+    """
+
+    limits: WheelLimits
+    inspection: Inspection
+    rule: TurningRule
 
 
 @dataclass(frozen=True)
@@ -55,6 +84,8 @@ class CampaignPlan:
         is not run again [m].
     failing_weight
         Share of the collective that may fail [-].
+    workshop
+        Limits and turning; None: no wheel is turned.
     numbers
         Of these tables, with their sources.
     """
@@ -65,6 +96,7 @@ class CampaignPlan:
     step: StepTolerance = field(default_factory=StepTolerance)
     unmoved: float = 1e-6
     failing_weight: float = 0.02
+    workshop: Workshop | None = None
     numbers: tuple[Parameter, ...] = ()
 
 
@@ -107,7 +139,8 @@ def _campaign(entries: dict[str, Any], source: str, folder: Path) -> CampaignPla
         damage = _damage(own.table("damage"))
     if "step" in own:
         step = _step(own.table("step"))
-    return CampaignPlan(collective, grouping, damage, **step, numbers=tuple(own.found))
+    workshop = _workshop(own.table("limits")) if "limits" in own else None
+    return CampaignPlan(collective, grouping, damage, **step, workshop=workshop, numbers=tuple(own.found))
 
 
 def _grouping(table: SourcedTable) -> Grouping:
@@ -131,6 +164,17 @@ def _damage(table: SourcedTable) -> DamageSettings:
         values["cells"] = (along, across)
     table.close()
     return DamageSettings(**values)
+
+
+def _workshop(table: SourcedTable) -> Workshop:
+    limits = WheelLimits.of(table.text("of", limited_vehicles()))
+    index = table.text("cracks", INDICES) if "cracks" in table else INDICES[0]
+    names = table.names("targets", WHEEL_PROFILES)
+    table.close()
+    if not names:
+        raise table.error(f"{table.key('targets')} is missing: allowed a list of wheel profiles")
+    rule = TurningRule([wheel_profile(name) for name in names], index)
+    return Workshop(limits, Inspection(index), rule)
 
 
 def _step(table: SourcedTable) -> dict[str, Any]:

@@ -17,7 +17,7 @@ from hh_exudyn.campaign.engine.sums import PartSums
 from hh_exudyn.campaign.life.groups import Place
 from vehicles.description import Vehicle
 
-CRACK_SUMS = {"local": "crack_damage"}
+CRACK_SUMS = {"global": "global_crack_damage", "local": "crack_damage"}
 """Sums of a surface that are followed as cracks, by the name of the fatigue index."""
 
 

@@ -1,7 +1,7 @@
 """The steps of a campaign on disk: one file a group of wheels, and one that ends the step.
 
     DIR/steps/step-00004.json                 distance, profiles' hash, pressures: written last
-    DIR/steps/leading-outer/step-00004.npz    the wheel of a group after the step (`damage.evolution.history`)
+    DIR/steps/leading-outer/step-00004.npz    the wheels of a group after the step (`damage.life.condition`)
 
 A step counts when its json is there; what was written of a later one is written again.
 """
@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from damage.evolution.history import WearHistory, WearStep, read_history, write_step
+from damage.life.condition import WheelCondition
 from hh_exudyn.log.parts import write_text
 
 STEPS = "steps"
@@ -34,6 +34,8 @@ class StepEnd:
         Evaluations of this step, and cases run and not run again in them [-].
     failed
         Names, weights and reasons of cases that failed in them.
+    turned
+        Rows of `damage.life.life_table` of wheels that were turned, or replaced, at the end of the step.
     """
 
     distance: float
@@ -43,6 +45,7 @@ class StepEnd:
     ran: int = 0
     reused: int = 0
     failed: tuple[tuple[str, float, str], ...] = ()
+    turned: tuple[Mapping[str, Any], ...] = ()
 
 
 class StepFiles:
@@ -62,8 +65,8 @@ class StepFiles:
     def _end(self, number: int) -> Path:
         return self.directory / f"step-{number:05d}.json"
 
-    def _folder(self, group: str) -> Path:
-        return self.directory / group.replace(" ", "-")
+    def _wheels(self, group: str, number: int) -> Path:
+        return self.directory / group.replace(" ", "-") / f"step-{number:05d}.npz"
 
     @property
     def count(self) -> int:
@@ -73,7 +76,7 @@ class StepFiles:
             number += 1
         return number
 
-    def write(self, number: int, wheels: Mapping[str, WearStep], end: StepEnd) -> None:
+    def write(self, number: int, wheels: Mapping[str, WheelCondition], end: StepEnd) -> None:
         """Write a step, whole or not at all.
 
         Parameters
@@ -86,23 +89,31 @@ class StepFiles:
             Of the step.
         """
         for group in self.groups:
-            write_step(self._folder(group), number, wheels[group])
+            self._wheels(group, number).parent.mkdir(parents=True, exist_ok=True)
+            wheels[group].save(self._wheels(group, number))
         write_text(self._end(number), json.dumps(asdict(end), indent=1) + "\n")
 
     def ends(self) -> list[StepEnd]:
         """The ends of all whole steps. Raises ValueError for a file that is not one."""
         return [_read_end(self._end(number)) for number in range(self.count)]
 
-    def histories(self) -> dict[str, WearHistory]:
-        """The wheels of each group, in all whole steps. Raises ValueError as `read_history`."""
-        count = self.count
-        return {group: WearHistory(read_history(self._folder(group)).steps[:count]) for group in self.groups}
+    def conditions(self, number: int) -> dict[str, WheelCondition]:
+        """The wheels of every group after a step, before turning (0: at the start).
+
+        Raises
+        ------
+        FileNotFoundError, BrokenFile
+            There is no such step; a file is not what was written.
+        """
+        return {group: WheelCondition.load(self._wheels(group, number)) for group in self.groups}
 
 
 def _read_end(path: Path) -> StepEnd:
     try:
         found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-        return StepEnd(**{**found, "failed": tuple(tuple(one) for one in found["failed"])})
+        return StepEnd(
+            **{**found, "failed": tuple(map(tuple, found["failed"])), "turned": tuple(found["turned"])}
+        )
     except (ValueError, TypeError, KeyError) as error:
         raise ValueError(
             f"{path}: not the end of a step, or a broken one ({error}); delete it and all later ones, and "
