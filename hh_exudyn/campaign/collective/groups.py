@@ -66,6 +66,15 @@ class Group:
     kinds: tuple[tuple[TrackKind, dict[Member, float]], ...]
     inclination: float
 
+    @property
+    def members(self) -> dict[Member, float]:
+        """Share of the line of every member."""
+        found: dict[Member, list[float]] = {}
+        for _, members in self.kinds:
+            for member, share in members.items():
+                found.setdefault(member, []).append(share)
+        return {member: math.fsum(shares) for member, shares in found.items()}
+
     def kind_shares(self) -> list[float]:
         """Share of each kind of track in the group; they sum to 1."""
         return [math.fsum(members.values()) / self.share for _, members in self.kinds]

@@ -1,13 +1,15 @@
 """What the file of a load collective says, as frozen values. SI units, shares as numbers that sum to 1."""
 
+import math
 from dataclasses import dataclass, field
 from typing import Any
 
 from hh_exudyn.contact.friction import FILMS
 from hh_exudyn.sourced import Parameter
-from track.friction import Falling, Zones
+from track.friction import ZONES, Falling, Zones
 
-DESIGNS = ("full", "overlay")
+SAMPLED = "sampled"
+DESIGNS = ("full", "overlay", SAMPLED)
 HANDS = ("merged", "mirrored", "both")
 HALVED = ("radius", "quality", "gauge", "friction")
 """Axes of which the steps can be halved."""
@@ -43,6 +45,11 @@ class Season:
     lubricated_wheelsets: tuple[int, ...] = ()
     falling: Falling | None = None
     flexibility: str | None = None  # of the track in that season; None: that of the base case
+
+    @property
+    def severity(self) -> float:
+        """Mean friction of the zones, treated [-]: roughly in the order of damage, for sampling alone."""
+        return math.fsum(self.friction.treated(*self.treatments).coefficients) / len(ZONES)
 
 
 @dataclass(frozen=True)
@@ -124,7 +131,8 @@ class Plan:
     `base` holds tables of a case file for what all cases have in common. `merged_classes` are groups of curve
     classes that share cases; `hands` says how left and right do: "merged" (one case at the mean geometry of
     both), "mirrored" (a case each, the right-hand one run as its mirror image) or "both" (as they lie).
-    `halvings` says how often the steps of an axis are halved.
+    `halvings` says how often the steps of an axis are halved. `runs` is the number of cases of one replicate
+    of the design "sampled", None for the others.
     """
 
     name: str
@@ -143,3 +151,4 @@ class Plan:
     rail_wear: dict[str, dict[str, float]]  # by curve class, "" for all others: shares by wear state
     numbers: tuple[Parameter, ...]  # all of the file with their sources
     halvings: dict[str, int] = field(default_factory=dict)
+    runs: int | None = None

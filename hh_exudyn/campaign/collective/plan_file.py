@@ -10,6 +10,7 @@ from hh_exudyn.campaign.collective.plan import (
     DESIGNS,
     HALVED,
     HANDS,
+    SAMPLED,
     GaugeSpread,
     Haul,
     Plan,
@@ -92,6 +93,7 @@ def _plan(file: SourcedTable, folder: Path) -> Plan:
         rail_wear=_rail_wear(_begun(file, "rail_wear")),
         numbers=(),
         halvings=_halvings(design),
+        runs=_runs(design),
     )  # fmt: skip
     for table in (distance, design, file):
         table.close()
@@ -140,6 +142,16 @@ def _base(file: SourcedTable, folder: Path) -> dict[str, Any]:
     base = {key: dict(value) if isinstance(value, dict) else value for key, value in table.entries.items()}
     start_at(folder.resolve(), base)
     return base
+
+
+def _runs(design: SourcedTable) -> int | None:
+    """Number of cases of a replicate, which the sampled design has and no other."""
+    if design.text("kind", DESIGNS) == SAMPLED:
+        return design.whole("runs", "-", 1, 100_000)
+    if "runs" in design:
+        kind = design.text("kind", DESIGNS)
+        raise design.error(f"{design.key('runs')}: {kind} has as many as it needs; allowed with {SAMPLED}")
+    return None
 
 
 def _halvings(design: SourcedTable) -> dict[str, int]:

@@ -67,12 +67,12 @@ FAULTS = {
         "gauge.deviation_mm: value 7 lies outside its range",
     ),
     "typo": (
-        ("quantiles = 3", "quantile = 3"),
+        ("quantiles = 8", "quantile = 8"),
         "gauge.quantiles is missing: allowed 1 to 64 -; is it gauge.quantile",
     ),
-    "half": (("quantiles = 3", "quantiles = 2.5"), "gauge.quantiles = 2.5 -: allowed whole numbers 1 to 64"),
-    "unknown": (("quantiles = 3", "quantiles = 3\nsteps = 4"), "unknown key gauge.steps"),
-    "design": (('kind = "overlay"', 'kind = "some"'), "design.kind = 'some': allowed full, overlay"),
+    "half": (("quantiles = 8", "quantiles = 2.5"), "gauge.quantiles = 2.5 -: allowed whole numbers 1 to 64"),
+    "unknown": (("quantiles = 8", "quantiles = 8\nsteps = 4"), "unknown key gauge.steps"),
+    "design": (('kind = "sampled"', 'kind = "some"'), "design.kind = 'some': allowed full, overlay, sampled"),
     "climate": (
         ('climate = "dry"', 'climate = "arid"'),
         r"season\[3\].climate = 'arid': allowed very_humid, humid",

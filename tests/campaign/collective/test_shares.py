@@ -3,12 +3,14 @@
 import csv
 import math
 from collections import defaultdict
+from functools import cache
 from pathlib import Path
 
 import pytest
+from collectives import product_text
 
 from hh_exudyn.campaign.collective import Collective, plan_of_text, template_text
-from hh_exudyn.campaign.collective.plan import DESIGNS, HANDS
+from hh_exudyn.campaign.collective.plan import DESIGNS, HANDS, SAMPLED
 from track.irregularity.quality import CLASSES
 from track.line.line import read_line
 
@@ -22,16 +24,26 @@ def table() -> list[dict[str, str]]:
 
 
 def collective(design: str = "overlay", hands: str = "merged", replicates: int = 3) -> Collective:
-    text = template_text("malmbanan", "iore_wagon_pair")
-    text = text.replace('kind = "overlay"', f'kind = "{design}"').replace(
-        'hands = "merged"', f'hands = "{hands}"'
-    )
-    return Collective(plan_of_text(text.replace("replicates = 3", f"replicates = {replicates}")))
+    text = product_text(design, replicates=replicates) if design != SAMPLED else template_text()
+    return Collective(plan_of_text(text.replace('hands = "merged"', f'hands = "{hands}"')))
 
 
-@pytest.fixture(scope="module", params=[(design, hands) for design in DESIGNS for hands in HANDS])
+OF_CELLS = [(design, hands) for design in DESIGNS if design != SAMPLED for hands in HANDS]
+
+
+@pytest.fixture(scope="module", params=[*OF_CELLS, *((SAMPLED, hands) for hands in HANDS)])
 def found(request: pytest.FixtureRequest) -> Collective:
-    design, hands = request.param
+    return made(*request.param)
+
+
+@pytest.fixture(scope="module", params=OF_CELLS)
+def cells(request: pytest.FixtureRequest) -> Collective:
+    """With the exact shares of every axis; what points have of them is in `test_stratified`."""
+    return made(*request.param)
+
+
+@cache
+def made(design: str, hands: str) -> Collective:
     return collective(design, hands, 2 if design == "overlay" else 1)
 
 
@@ -47,23 +59,23 @@ def test_classes_and_hands_are_those_of_the_curve_table(found: Collective) -> No
     assert found.share(hand="straight") == pytest.approx(0.502, abs=EXACT)
 
 
-def test_quality_within_every_class_is_the_lines(found: Collective) -> None:
+def test_quality_within_every_class_is_the_lines(cells: Collective) -> None:
     for part in read_line("malmbanan").classes:
         for quality, share in zip(CLASSES, part.quality, strict=True):
-            mine = found.share(running="loaded", curve_class=part.name, hand=part.hand, quality=quality)
+            mine = cells.share(running="loaded", curve_class=part.name, hand=part.hand, quality=quality)
             assert mine == pytest.approx(0.5 * part.share * share, abs=EXACT)
 
 
-def test_every_axis_has_the_shares_of_the_file_in_every_group(found: Collective) -> None:
+def test_every_axis_has_the_shares_of_the_file_in_every_group(cells: Collective) -> None:
     by: dict[tuple[str, str], dict[str, list[float]]] = defaultdict(lambda: defaultdict(list))
-    for item in found.strata:
+    for item in cells.strata:
         group = (item.stratum.running, item.stratum.group)
         for axis in ("season", "haul", "speed_km_h", "gauge_mm"):
             by[group][f"{axis}={getattr(item.stratum, axis)}"].append(item.weight)
         by[group]["all"].append(item.weight)
     for shares in by.values():
         whole = math.fsum(shares["all"])
-        for season in found.plan.seasons:
+        for season in cells.plan.seasons:
             assert math.fsum(shares[f"season={season.name}"]) == pytest.approx(
                 season.share * whole, abs=EXACT
             )
