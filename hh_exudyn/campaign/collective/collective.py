@@ -276,7 +276,7 @@ class Collective:
             [gauge.share for gauge in gauges],
             [season.share for season in seasons],
             [share for _, share in running.speeds],
-            [haul.share for haul in running.hauls],
+            [group.haul_share(haul) for haul in running.hauls],
         ]
         geometries = tuple(geometry for geometry, _ in group.geometries)
         kinds = tuple((kind, place, members) for kind, members in group.kinds for place in places)

@@ -57,6 +57,7 @@ class Haul:
     """Forces along the track, for a share of a vehicle's distance.
 
     A vehicle with drives has `gradient` and a train; a hauled one `draft` at its couplers and `shoe_force`.
+    Gradients go with curves: `of_class` has the share in single curve classes, in place of `share`.
     """
 
     name: str
@@ -66,6 +67,11 @@ class Haul:
     wagon_mass: float | None = None  # [kg]
     draft: float | None = None  # [N]
     shoe_force: float | None = None  # [N]
+    of_class: tuple[tuple[str, float], ...] = ()
+
+    def share_in(self, curve_class: str) -> float:
+        """Share of the vehicle's distance in a curve class of the line [-]."""
+        return dict(self.of_class).get(curve_class, self.share)
 
 
 @dataclass(frozen=True)

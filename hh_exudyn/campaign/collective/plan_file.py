@@ -175,7 +175,7 @@ def _running(table: SourcedTable) -> Running:
     hauls: tuple[Haul, ...] = (Haul("free", 1.0),)
     if "haul" in table:
         read = [_closed(inner, lambda t: _haul(t, drives)) for inner in table.sourced_tables("haul")]
-        hauls = _whole(read, table, table.key("haul"))
+        hauls = _of_classes(_whole(read, table, table.key("haul")), table)
     found = Running(
         name=table.text("name"),
         share=table.number("share_percent", "%", 0.0, 100.0),
@@ -187,6 +187,16 @@ def _running(table: SourcedTable) -> Running:
     )
     table.close()
     return found
+
+
+def _of_classes(hauls: tuple[Haul, ...], table: SourcedTable) -> tuple[Haul, ...]:
+    """Hauls of which the shares in every class that is named sum to 1."""
+    for name in {name for haul in hauls for name, _ in haul.of_class}:
+        total = math.fsum(haul.share_in(name) for haul in hauls)
+        if abs(total - 1.0) > 1e-2 * _SUM:
+            key = f"{table.key('haul')}: of_class.{name!r}"
+            raise table.error(f"{key} sums to {100.0 * total:g} % over all hauls: allowed 100 %")
+    return hauls
 
 
 def _speeds(table: SourcedTable) -> tuple[tuple[float, float], ...]:
@@ -210,6 +220,8 @@ def _haul(table: SourcedTable, drives: bool) -> Haul:
     if "source" in table:
         table.begin()
     name, share = table.text("name"), table.number("share_percent", "%", 0.0, 100.0)
+    given = table.mapping("of_class", "%", 0.0, 100.0) if "of_class" in table else {}
+    of_class = tuple((key, 1e-2 * value) for key, value in given.items())
     if drives:
         wagons, mass = "trailing_wagons", table.number_or("wagon_mass_t", "t", 15.0, 130.0)
         return Haul(
@@ -218,6 +230,7 @@ def _haul(table: SourcedTable, drives: bool) -> Haul:
             gradient=1e-3 * table.number("gradient_per_mille", "per mille", -50.0, 50.0),
             trailing_wagons=table.whole(wagons, "-", 0, 200) if wagons in table else None,
             wagon_mass=None if mass is None else 1e3 * mass,
+            of_class=of_class,
         )
     draft = table.number_or("draft_kN", "kN", -2000.0, 2000.0)
     shoes = table.number_or("shoe_force_kN", "kN", 0.0, 100.0)
@@ -226,6 +239,7 @@ def _haul(table: SourcedTable, drives: bool) -> Haul:
         share,
         draft=None if draft is None else 1e3 * draft,
         shoe_force=None if shoes is None else 1e3 * shoes,
+        of_class=of_class,
     )
 
 

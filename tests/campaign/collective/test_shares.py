@@ -16,6 +16,7 @@ from track.line.line import read_line
 
 REFERENCE = Path(__file__).parents[2] / "reference" / "hossein_nia_2018_line.csv"
 EXACT = 1e-12
+LOCOMOTIVE = "iore_locomotive"
 
 
 def table() -> list[dict[str, str]]:
@@ -134,3 +135,14 @@ def test_the_table_has_a_row_a_stratum_and_parts_that_sum_to_its_weight() -> Non
     assert {row["wear_divisor_tread"] for row in rows if row["season"] == "humid"} == {6.0}
     assert {row["wear_divisor_tread"] for row in rows if row["season"] == "dry"} == {1.0}
     assert math.fsum(row["weight"] for row in rows) == pytest.approx(1.0, abs=EXACT)
+
+
+@pytest.mark.parametrize("design", ["full", "overlay"])
+def test_hauls_have_the_shares_of_single_classes(design: str) -> None:
+    """Three in four tight curves lie on the descent of the loaded train, and climb on the way back."""
+    mine = Collective(plan_of_text(product_text(design, LOCOMOTIVE, replicates=1)))
+    for running, haul, tight, wide in (("loaded", "down", 0.75, 0.35), ("empty", "up", 0.75, 0.35)):
+        for curve_class, share in (("350:400", tight), ("400:450", tight), ("450:600", wide)):
+            whole = mine.share(running=running, curve_class=curve_class)
+            found = mine.share(running=running, curve_class=curve_class, haul=haul) / whole
+            assert found == pytest.approx(share, abs=EXACT)

@@ -102,9 +102,7 @@ def test_too_few_runs_name_all_units() -> None:
     text = template_text().replace("runs = 20", "runs = 9")
     with pytest.raises(ValueError, match=r"design.runs = 9: allowed 10 or more, .*: loaded;<350, loaded;350"):
         _ = Collective(plan_of_text(text)).strata
-    with pytest.raises(
-        ValueError, match=r"design.runs: overlay has as many as it needs"
-    ):
+    with pytest.raises(ValueError, match=r"design.runs: overlay has as many as it needs"):
         plan_of_text(template_text().replace('"sampled"', '"overlay"'))
 
 
