@@ -6,8 +6,9 @@
 
 A file (TOML) names a line, and gives shares of vehicles and loads, speeds, gauge, seasons, trains and states
 of the rails. They are the axes of a product within every group of curve classes, so that their weights are
-products; `design` says which cells of the product are run. Weights sum to 1, and for every share of the file
-to that share. The error of what is computed with them is that of sampling, and that of the axes' steps
+products; `design` and `stratified` say which cells of the product are run. Weights sum to 1, and for every
+class and hand of the line to its share; for every other share of the file exactly, or for points in the mean
+of many replicates. The error of what is computed with them is that of sampling, and that of the axes' steps
 (`sampling`).
 
 =================  ==================================================================================
@@ -18,6 +19,8 @@ to that share. The error of what is computed with them is that of sampling, and 
 `template`         the text of a new file, with the sources of its numbers
 `axes`             gauge, quality, seasons as steps with shares, and the halving of steps
 `design`           cells of a product of axes: all, or an overlay with the same shares
+`stratified`       a few weighted points of a product of axes, for a budget of runs
+`allocation`       how many of the runs each group of classes gets
 `groups`           groups of curve classes: what their sections have in common, and their members' shares
 `strata`           a stratum with its labels, key and seed
 `track`            the track of a stratum and its evaluated parts

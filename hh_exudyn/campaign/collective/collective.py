@@ -1,17 +1,15 @@
 """The load collective of a plan: its weighted strata and cases, tables, and what in it is assumed."""
 
-import hashlib
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple, Self
 
-import numpy as np
 import pyarrow as pa
 
-from hh_exudyn.arrays import FloatArray
+from hh_exudyn.campaign.collective.allocation import allotted
 from hh_exudyn.campaign.collective.axes import (
     Step,
     gauge_deviations,
@@ -21,12 +19,13 @@ from hh_exudyn.campaign.collective.axes import (
     spectrum_deviations,
 )
 from hh_exudyn.campaign.collective.case_of_stratum import Setting, case_of
-from hh_exudyn.campaign.collective.design import full_product, overlay
+from hh_exudyn.campaign.collective.design import Cell, full_product, overlay, uniform
 from hh_exudyn.campaign.collective.groups import STRAIGHT, Geometry, Group, Member, TrackKind, groups_of
 from hh_exudyn.campaign.collective.listing import strata_table
-from hh_exudyn.campaign.collective.plan import HALVED, Haul, Plan, Running, Season
+from hh_exudyn.campaign.collective.plan import HALVED, SAMPLED, Haul, Plan, Running, Season
 from hh_exudyn.campaign.collective.plan_file import read_plan
 from hh_exudyn.campaign.collective.strata import Stratum
+from hh_exudyn.campaign.collective.stratified import Draws, stratified
 from hh_exudyn.campaign.collective.track import evaluated_parts, track_length
 from hh_exudyn.campaign.collective.weighted import WeightedCase, WeightedStratum
 from hh_exudyn.case import Case
@@ -35,7 +34,9 @@ from hh_exudyn.sourced import Parameter
 from track.line.line import read_line
 from track.line.line_file import line_names
 from track.line.line_numbers import line_numbers
+from vehicles.catalogue import vehicle
 
+_SEASONS = 3  # place among the axes: what friction and films do comes before all else within a group
 _SHORTEST = TrackCase.model_fields["irregularity_shortest_m"].default  # m
 
 
@@ -74,7 +75,7 @@ class Collective:
         return self._sampled({})
 
     def unit(self, stratum: Stratum) -> str:
-        """What is sampled independently of all else: the cell; of overlays the whole group of a running.
+        """What is sampled independently of all else: the cell; of other designs the whole group of a running.
 
         Parameters
         ----------
@@ -111,18 +112,41 @@ class Collective:
         return tuple(found)
 
     def table(self) -> pa.Table:
-        """The strata as a table (`hh_exudyn.campaign.collective.listing.strata_table`)."""
-        return strata_table(self.strata, self.plan.lengths)
+        """The strata as a table (`hh_exudyn.campaign.collective.listing.strata_table`).
+
+        Its metadata have under "evaluation" what one evaluation takes, in words (`Collective.evaluation`).
+        """
+        found = strata_table(self.strata, self.plan.lengths)
+        return found.replace_schema_metadata({"evaluation": self.evaluation})
+
+    @property
+    def evaluation(self) -> str:
+        """What one evaluation takes (one replicate), and all replicates of the file, in words."""
+        one = self.replicate()
+        runs = {name: runs_of(s for s in one if s.stratum.running == name) for name in self._names}
+        return (
+            f"one evaluation: {runs_of(one)} runs ({', '.join(f'{name} {n}' for name, n in runs.items())}), "
+            f"{1e-3 * self._track(one):.1f} km of track; all {self.plan.replicates} replicates: {self.runs} "
+            f"runs, {1e-3 * self.track_to_run:.1f} km"
+        )
+
+    @property
+    def _names(self) -> list[str]:
+        return [running.name for running in self.plan.running]
 
     @property
     def runs(self) -> int:
-        """Number of different cases: what is to be run."""
-        return len({item.stratum.key for item in self.strata})
+        """Number of different cases of all replicates: what is to be run."""
+        return runs_of(self.strata)
 
     @property
     def track_to_run(self) -> float:
         """Length of the tracks of all different cases [m]."""
-        tracks = {item.stratum.key: item.stratum for item in self.strata}
+        return self._track(self.strata)
+
+    def _track(self, strata: Iterable[WeightedStratum]) -> float:
+        """Length of the tracks of different cases [m]."""
+        tracks = {item.stratum.key: item.stratum for item in strata}
         return math.fsum(track_length(stratum, self.plan.lengths) for stratum in tracks.values())
 
     def share(self, **labels: Any) -> float:
@@ -137,6 +161,39 @@ class Collective:
             item.weight
             for item in self.strata
             if all(getattr(item.stratum, name) == value for name, value in labels.items())
+        )
+
+    def replicate(
+        self, number: int = 1, others: Mapping[str, int] | None = None
+    ) -> tuple[WeightedStratum, ...]:
+        """The strata of one replicate with the whole weight: the cases of one evaluation of a loop.
+
+        Their irregularity and points are the same at every call (common random numbers), and their damage
+        differs from that of all replicates by the sampling error of one.
+
+        Parameters
+        ----------
+        number : int
+            From 1; also beyond the replicates of the file.
+        others : mapping of str to int or None
+            Another number for some units (`unit`).
+
+        Raises
+        ------
+        ValueError
+            A number below 1.
+        """
+        wanted = dict(others or {})
+        numbers = sorted({number, *wanted.values()})
+        if numbers[0] < 1:
+            raise ValueError(f"replicate {numbers[0]}: allowed from 1")
+        return tuple(
+            item
+            for running, groups in self._groups
+            for group in groups
+            for one in numbers
+            for item in self._of_group(running, group, one)
+            if item.weight > 0.0 and one == wanted.get(self.unit(item.stratum), number)
         )
 
     def resampled(self, counts: Mapping[str, int]) -> tuple[WeightedStratum, ...]:
@@ -196,11 +253,10 @@ class Collective:
 
     def _sampled(self, counts: Mapping[str, int]) -> tuple[WeightedStratum, ...]:
         """The strata with given numbers of replicates by unit."""
-        line = read_line(self.plan.line)
         usual = self.plan.replicates
         found = []
-        for running in self.plan.running:
-            for group in groups_of(self.plan, line, running):
+        for running, groups in self._groups:
+            for group in groups:
                 for replicate in range(1, max((usual, *counts.values())) + 1):
                     for item in self._of_group(running, group, replicate):
                         count = counts.get(self.unit(item.stratum), usual) if counts else usual
@@ -220,7 +276,7 @@ class Collective:
             [gauge.share for gauge in gauges],
             [season.share for season in seasons],
             [share for _, share in running.speeds],
-            [haul.share for haul in running.hauls],
+            [group.haul_share(haul) for haul in running.hauls],
         ]
         geometries = tuple(geometry for geometry, _ in group.geometries)
         kinds = tuple((kind, place, members) for kind, members in group.kinds for place in places)
@@ -229,13 +285,9 @@ class Collective:
     def _of_group(self, running: Running, group: Group, replicate: int) -> Iterator[WeightedStratum]:
         """The strata of one sample of a group."""
         axes = self._axes(running, group)
-        if self.plan.design == "full":
-            cells = full_product(axes.shares)
-        else:
-            turns = _turns(f"{running.name};{group.name};{replicate}", len(axes.shares))
-            cells = overlay(axes.shares, turns)
-        for levels, share in cells:
-            members = axes.kinds[levels[1]][2]
+        for levels, share in self._cells(running, group, axes, replicate):
+            # few points do not have every kind of track: then each stands for all members of the group
+            members = group.members if self.plan.design == SAMPLED else axes.kinds[levels[1]][2]
             of_kind = math.fsum(members.values())
             for member, of_member in members.items():
                 weight = running.share * group.share * share * of_member / of_kind
@@ -246,6 +298,45 @@ class Collective:
                 else:
                     mirrored = (group.hand, member[1]) == ("left", "right")
                     yield WeightedStratum(stratum, weight, mirrored, setting)
+
+    def _cells(self, running: Running, group: Group, axes: _Axes, replicate: int) -> Iterable[Cell]:
+        """The cells of one sample of a group, with their shares of it."""
+        if self.plan.design == "full":
+            return full_product(axes.shares)
+        name, count = f"{running.name};{group.name}", len(axes.shares)
+        if self.plan.design == "overlay":
+            return overlay(axes.shares, uniform(f"{name};{replicate}", count))
+        names = [f"{running.name};{other.name}" for other in dict(self._groups)[running]]
+        most = max(self._points[other] for other in names)
+        text = f"{running.name};{replicate}"
+        draws = Draws.of_group(text, count, most, names.index(name), len(names))
+        severity = [season.severity for season in axes.seasons]
+        return stratified(axes.shares, _SEASONS, severity, self._points[name], draws)
+
+    @cached_property
+    def _groups(self) -> tuple[tuple[Running, tuple[Group, ...]], ...]:
+        """The groups of every running."""
+        line = read_line(self.plan.line)
+        return tuple((running, groups_of(self.plan, line, running)) for running in self.plan.running)
+
+    @cached_property
+    def _points(self) -> dict[str, int]:
+        """Runs of each unit in one replicate of the sampled design; ValueError for too few."""
+        units = {
+            f"{running.name};{group.name}": (
+                running.share * vehicle(running.vehicle).mass,
+                1.0 / group.geometries[0][0].radius,
+            )
+            for running, groups in self._groups
+            for group in groups
+        }
+        runs = self.plan.runs or 0
+        if runs < len(units):
+            raise ValueError(
+                f"{self.plan.name}: design.runs = {runs}: allowed {len(units)} or more, one for each group "
+                f"of curve classes of each running: {', '.join(units)}"
+            )
+        return dict(zip(units, allotted(runs, list(units.values())), strict=True))
 
     def _stratum(
         self, running: Running, group: Group, axes: _Axes, levels: tuple[int, ...], member: Member,
@@ -288,9 +379,6 @@ class Collective:
         return stratum, Setting(season, haul, scale, group.inclination)
 
 
-def _turns(text: str, count: int) -> FloatArray:
-    """Turns of an overlay's circles, from a text: the same on every machine."""
-    seed = int.from_bytes(hashlib.sha256(text.encode()).digest()[:8], "big")
-    bits = np.random.PCG64(seed).random_raw(count)
-    found: FloatArray = (bits >> np.uint64(11)).astype(np.float64) * 2.0**-53
-    return found
+def runs_of(strata: Iterable[WeightedStratum]) -> int:
+    """Number of different cases among strata."""
+    return len({item.stratum.key for item in strata})

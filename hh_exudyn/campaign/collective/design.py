@@ -14,6 +14,7 @@ independent turns, uniform over the circle, the expected share of a cell is the 
 results are unbiased, and their spread over several overlays is the sampling error.
 """
 
+import hashlib
 import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise, product
@@ -65,3 +66,19 @@ def overlay(shares: Sequence[Sequence[float]], turns: FloatArray) -> Iterator[Ce
             )
             cells[levels] = cells.get(levels, 0.0) + float(high - low)
     yield from cells.items()
+
+
+def uniform(text: str, count: int) -> FloatArray:
+    """Uniform random numbers from a text, 0 to 1: the same on every machine.
+
+    Parameters
+    ----------
+    text : str
+        What makes them differ.
+    count : int
+        How many.
+    """
+    seed = int.from_bytes(hashlib.sha256(text.encode()).digest()[:8], "big")
+    bits = np.random.PCG64(seed).random_raw(count)
+    found: FloatArray = (bits >> np.uint64(11)).astype(np.float64) * 2.0**-53
+    return found

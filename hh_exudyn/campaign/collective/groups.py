@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from hh_exudyn.campaign.collective.axes import Step, half_widths, halved
-from hh_exudyn.campaign.collective.plan import Plan, Running
+from hh_exudyn.campaign.collective.plan import Haul, Plan, Running
 from track.line.line import Line, TrackSection, load_sections
 from track.rails import RailPair
 
@@ -66,6 +66,20 @@ class Group:
     kinds: tuple[tuple[TrackKind, dict[Member, float]], ...]
     inclination: float
 
+    @property
+    def members(self) -> dict[Member, float]:
+        """Share of the line of every member."""
+        found: dict[Member, list[float]] = {}
+        for _, members in self.kinds:
+            for member, share in members.items():
+                found.setdefault(member, []).append(share)
+        return {member: math.fsum(shares) for member, shares in found.items()}
+
+    def haul_share(self, haul: Haul) -> float:
+        """Share of a haul in the group."""
+        shares = (share * haul.share_in(name) for (name, _), share in self.members.items())
+        return math.fsum(shares) / self.share
+
     def kind_shares(self) -> list[float]:
         """Share of each kind of track in the group; they sum to 1."""
         return [math.fsum(members.values()) / self.share for _, members in self.kinds]
@@ -90,7 +104,9 @@ def groups_of(plan: Plan, line: Line, running: Running) -> tuple[Group, ...]:
     """
     sections = _worn(plan, line, running)
     names = list(dict.fromkeys(section.name for section, _ in sections))
-    for given in (*(name for group in plan.merged_classes for name in group), *filter(None, plan.rail_wear)):
+    hauls = (name for haul in running.hauls for name, _ in haul.of_class)
+    merged = (name for group in plan.merged_classes for name in group)
+    for given in (*merged, *filter(None, plan.rail_wear), *hauls):
         if given not in names:
             raise ValueError(f"curve class {given!r} of {line.name}: allowed {', '.join(names)}")
     by_class = {name: group for group in plan.merged_classes for name in group}

@@ -1,13 +1,15 @@
 """What the file of a load collective says, as frozen values. SI units, shares as numbers that sum to 1."""
 
+import math
 from dataclasses import dataclass, field
 from typing import Any
 
 from hh_exudyn.contact.friction import FILMS
 from hh_exudyn.sourced import Parameter
-from track.friction import Falling, Zones
+from track.friction import ZONES, Falling, Zones
 
-DESIGNS = ("full", "overlay")
+SAMPLED = "sampled"
+DESIGNS = ("full", "overlay", SAMPLED)
 HANDS = ("merged", "mirrored", "both")
 HALVED = ("radius", "quality", "gauge", "friction")
 """Axes of which the steps can be halved."""
@@ -44,12 +46,18 @@ class Season:
     falling: Falling | None = None
     flexibility: str | None = None  # of the track in that season; None: that of the base case
 
+    @property
+    def severity(self) -> float:
+        """Mean friction of the zones, treated [-]: roughly in the order of damage, for sampling alone."""
+        return math.fsum(self.friction.treated(*self.treatments).coefficients) / len(ZONES)
+
 
 @dataclass(frozen=True)
 class Haul:
     """Forces along the track, for a share of a vehicle's distance.
 
     A vehicle with drives has `gradient` and a train; a hauled one `draft` at its couplers and `shoe_force`.
+    Gradients go with curves: `of_class` has the share in single curve classes, in place of `share`.
     """
 
     name: str
@@ -59,6 +67,11 @@ class Haul:
     wagon_mass: float | None = None  # [kg]
     draft: float | None = None  # [N]
     shoe_force: float | None = None  # [N]
+    of_class: tuple[tuple[str, float], ...] = ()
+
+    def share_in(self, curve_class: str) -> float:
+        """Share of the vehicle's distance in a curve class of the line [-]."""
+        return dict(self.of_class).get(curve_class, self.share)
 
 
 @dataclass(frozen=True)
@@ -124,7 +137,8 @@ class Plan:
     `base` holds tables of a case file for what all cases have in common. `merged_classes` are groups of curve
     classes that share cases; `hands` says how left and right do: "merged" (one case at the mean geometry of
     both), "mirrored" (a case each, the right-hand one run as its mirror image) or "both" (as they lie).
-    `halvings` says how often the steps of an axis are halved.
+    `halvings` says how often the steps of an axis are halved. `runs` is the number of cases of one replicate
+    of the design "sampled", None for the others.
     """
 
     name: str
@@ -143,3 +157,4 @@ class Plan:
     rail_wear: dict[str, dict[str, float]]  # by curve class, "" for all others: shares by wear state
     numbers: tuple[Parameter, ...]  # all of the file with their sources
     halvings: dict[str, int] = field(default_factory=dict)
+    runs: int | None = None

@@ -10,6 +10,7 @@ from hh_exudyn.campaign.collective.plan import (
     DESIGNS,
     HALVED,
     HANDS,
+    SAMPLED,
     GaugeSpread,
     Haul,
     Plan,
@@ -105,6 +106,7 @@ def _plan(file: SourcedTable, folder: Path) -> Plan:
         rail_wear=_rail_wear(_begun(file, "rail_wear")),
         numbers=(),
         halvings=_halvings(design),
+        runs=_runs(design),
     )  # fmt: skip
     for table in (distance, design, file):
         table.close()
@@ -155,6 +157,16 @@ def _base(file: SourcedTable, folder: Path) -> dict[str, Any]:
     return base
 
 
+def _runs(design: SourcedTable) -> int | None:
+    """Number of cases of a replicate, which the sampled design has and no other."""
+    if design.text("kind", DESIGNS) == SAMPLED:
+        return design.whole("runs", "-", 1, 100_000)
+    if "runs" in design:
+        kind = design.text("kind", DESIGNS)
+        raise design.error(f"{design.key('runs')}: {kind} has as many as it needs; allowed with {SAMPLED}")
+    return None
+
+
 def _halvings(design: SourcedTable) -> dict[str, int]:
     """How often the steps of each axis are halved."""
     if "halvings" not in design:
@@ -176,7 +188,7 @@ def _running(table: SourcedTable) -> Running:
     hauls: tuple[Haul, ...] = (Haul("free", 1.0),)
     if "haul" in table:
         read = [_closed(inner, lambda t: _haul(t, drives)) for inner in table.sourced_tables("haul")]
-        hauls = _whole(read, table, table.key("haul"))
+        hauls = _of_classes(_whole(read, table, table.key("haul")), table)
     found = Running(
         name=table.text("name"),
         share=table.number("share_percent", "%", 0.0, 100.0),
@@ -188,6 +200,16 @@ def _running(table: SourcedTable) -> Running:
     )
     table.close()
     return found
+
+
+def _of_classes(hauls: tuple[Haul, ...], table: SourcedTable) -> tuple[Haul, ...]:
+    """Hauls of which the shares in every class that is named sum to 1."""
+    for name in {name for haul in hauls for name, _ in haul.of_class}:
+        total = math.fsum(haul.share_in(name) for haul in hauls)
+        if abs(total - 1.0) > 1e-2 * _SUM:
+            key = f"{table.key('haul')}: of_class.{name!r}"
+            raise table.error(f"{key} sums to {100.0 * total:g} % over all hauls: allowed 100 %")
+    return hauls
 
 
 def _speeds(table: SourcedTable) -> tuple[tuple[float, float], ...]:
@@ -211,6 +233,8 @@ def _haul(table: SourcedTable, drives: bool) -> Haul:
     if "source" in table:
         table.begin()
     name, share = table.text("name"), table.number("share_percent", "%", 0.0, 100.0)
+    given = table.mapping("of_class", "%", 0.0, 100.0) if "of_class" in table else {}
+    of_class = tuple((key, 1e-2 * value) for key, value in given.items())
     if drives:
         wagons, mass = "trailing_wagons", table.number_or("wagon_mass_t", "t", 15.0, 130.0)
         return Haul(
@@ -219,6 +243,7 @@ def _haul(table: SourcedTable, drives: bool) -> Haul:
             gradient=1e-3 * table.number("gradient_per_mille", "per mille", -50.0, 50.0),
             trailing_wagons=table.whole(wagons, "-", 0, 200) if wagons in table else None,
             wagon_mass=None if mass is None else 1e3 * mass,
+            of_class=of_class,
         )
     draft = table.number_or("draft_kN", "kN", -2000.0, 2000.0)
     shoes = table.number_or("shoe_force_kN", "kN", 0.0, 100.0)
@@ -227,6 +252,7 @@ def _haul(table: SourcedTable, drives: bool) -> Haul:
         share,
         draft=None if draft is None else 1e3 * draft,
         shoe_force=None if shoes is None else 1e3 * shoes,
+        of_class=of_class,
     )
 
 

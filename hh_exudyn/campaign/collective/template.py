@@ -10,7 +10,8 @@ from vehicles.catalogue import vehicle, vehicle_names
 from vehicles.start import start_front
 
 _MERGED = 'merged_classes = [["350:400", "400:450"], ["600:800", "800:1000"]]\n'
-_MALMBANAN = "malmbanan"  # the line of which the classes of `_MERGED` are
+_TIGHT = ("<350", "350:400", "400:450")  # three in four of them lie on the descent to Narvik
+_MALMBANAN = "malmbanan"  # the line of which these classes are
 _FADE = 50.0  # m, of irregularities
 _LOADS = ("loaded", "empty")
 _SHOE_KN = {"loaded": "10.0", "empty": "4.0"}
@@ -49,6 +50,7 @@ def template_text(line: str = _MALMBANAN, vehicle_name: str = "iore_wagon_pair")
             "RETURNING": "true" if load == "empty" else "false",
             "SHOE": _SHOE_KN[load],
             "MASS": _MASS_T[load],
+            **_gradients(load == "empty", line == _MALMBANAN),
         }
         texts.append(_filled(_data(f"running_{kind}.toml"), words))
     merged = _MERGED if line == _MALMBANAN else ""
@@ -72,6 +74,19 @@ def _filled(text: str, words: dict[str, str]) -> str:
     for key, word in words.items():
         text = text.replace(f"@{key}@", word)
     return text
+
+
+def _gradients(returning: bool, of_malmbanan: bool) -> dict[str, str]:
+    """Shares of gradients, and of those in tight curves of the iron-ore line: what goes down comes up."""
+    shares = {"up": ("20.0", "10.0"), "level": ("45.0", "15.0"), "down": ("35.0", "75.0")}
+    opposite = {"up": "down", "level": "level", "down": "up"}
+    found = {}
+    for name in shares:
+        all_curves, tight = shares[opposite[name] if returning else name]
+        classes = ", ".join(f'"{curve}" = {tight}' for curve in _TIGHT)
+        found[f"{name.upper()}_SHARE"] = all_curves
+        found[f"{name.upper()}_CLASSES"] = f"of_class = {{ {classes} }}\n" if of_malmbanan else ""
+    return found
 
 
 def _rounded_up(length: float) -> str:

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from collectives import product_text
 from scipy.stats import truncnorm
 
 from hh_exudyn.campaign.collective import HALVED, Collective, plan_of_text, template_text
@@ -98,7 +99,7 @@ def test_sections_of_100_m_scatter_about_their_class() -> None:
 
 @pytest.mark.parametrize("axis", HALVED)
 def test_a_refined_collective_has_more_cells_and_the_same_means(axis: str) -> None:
-    coarse = Collective(plan_of_text(template_text()))
+    coarse = Collective(plan_of_text(product_text()))
     fine = coarse.refined(axis)
     assert fine.plan.halvings == {axis: 1}
     assert fine.runs > coarse.runs

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from collectives import product_text
 
 from damage.parameters import parameters
 from hh_exudyn.campaign.collective import (
@@ -28,9 +29,7 @@ WAGON, LOCOMOTIVE, PAIR = "iore_wagon_pair", "iore_locomotive", "iore_locomotive
 
 @pytest.fixture(scope="module")
 def collectives() -> dict[str, Collective]:
-    return {
-        name: Collective(plan_of_text(template_text("malmbanan", name))) for name in (WAGON, LOCOMOTIVE, PAIR)
-    }
+    return {name: Collective(plan_of_text(product_text(vehicle=name))) for name in (WAGON, LOCOMOTIVE, PAIR)}
 
 
 def first(collective: Collective, wanted: Callable[[Stratum], bool]) -> WeightedStratum:
@@ -136,9 +135,7 @@ def test_films_go_with_the_season(collectives: dict[str, Collective]) -> None:
 
 def test_mirrored_strata_are_the_mirror_image_of_what_lies(collectives: dict[str, Collective]) -> None:
     """A right-hand curve run as it lies is the mirror image of the left-hand run with `mirrored`."""
-    text = (
-        template_text().replace('kind = "overlay"', 'kind = "full"').replace("quantiles = 3", "quantiles = 1")
-    )
+    text = product_text("full", quantiles=1)
     pair = [
         Collective(plan_of_text(text.replace('hands = "merged"', f'hands = "{hands}"')))
         for hands in ("mirrored", "both")
@@ -154,10 +151,10 @@ def test_mirrored_strata_are_the_mirror_image_of_what_lies(collectives: dict[str
 
 
 def test_a_case_that_is_not_allowed_names_its_stratum(collectives: dict[str, Collective]) -> None:
-    text = template_text().replace("deviation_mm = 4.0", "deviation_mm = 15.0")
+    text = product_text(quantiles=9).replace("deviation_mm = 4.0", "deviation_mm = 15.0")
     text = text.replace("truncation = 2.0", "truncation = 3.0")
     text = text.replace("ranges = { deviation_mm = [2.0, 6.0], truncation = [1.5, 3.0] }\n", "")
-    collective = Collective(plan_of_text(text.replace("quantiles = 3", "quantiles = 9")))
+    collective = Collective(plan_of_text(text))
     item = first(collective, lambda s: s.curve_class == "straight" and s.gauge_mm < 1413.0)
     with pytest.raises(CaseError, match=r"case of stratum loaded straight .* leaves no flange clearance"):
         collective.cases([item])

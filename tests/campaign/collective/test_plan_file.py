@@ -67,12 +67,12 @@ FAULTS = {
         "gauge.deviation_mm: value 7 lies outside its range",
     ),
     "typo": (
-        ("quantiles = 3", "quantile = 3"),
+        ("quantiles = 8", "quantile = 8"),
         "gauge.quantiles is missing: allowed 1 to 64 -; is it gauge.quantile",
     ),
-    "half": (("quantiles = 3", "quantiles = 2.5"), "gauge.quantiles = 2.5 -: allowed whole numbers 1 to 64"),
-    "unknown": (("quantiles = 3", "quantiles = 3\nsteps = 4"), "unknown key gauge.steps"),
-    "design": (('kind = "overlay"', 'kind = "some"'), "design.kind = 'some': allowed full, overlay"),
+    "half": (("quantiles = 8", "quantiles = 2.5"), "gauge.quantiles = 2.5 -: allowed whole numbers 1 to 64"),
+    "unknown": (("quantiles = 8", "quantiles = 8\nsteps = 4"), "unknown key gauge.steps"),
+    "design": (('kind = "sampled"', 'kind = "some"'), "design.kind = 'some': allowed full, overlay, sampled"),
     "climate": (
         ('climate = "dry"', 'climate = "arid"'),
         r"season\[3\].climate = 'arid': allowed very_humid, humid",
@@ -137,3 +137,11 @@ def test_a_class_or_vehicle_that_the_line_has_not() -> None:
         _ = Collective(plan_of_text(text)).strata
     with pytest.raises(ValueError, match="vehicle 'tram' is not known"):
         template_text("malmbanan", "tram")
+
+
+def test_shares_of_hauls_in_a_class_are_whole_and_of_a_class_of_the_line() -> None:
+    text = template_text("malmbanan", "iore_locomotive")
+    with pytest.raises(ValueError, match=r"running\[0\].haul: of_class.'<350' sums to 95 % over all hauls"):
+        plan_of_text(text.replace('"<350" = 10.0', '"<350" = 5.0'))
+    with pytest.raises(ValueError, match="curve class '<300' of Malmbanan and Ofotbanen: allowed <350"):
+        _ = Collective(plan_of_text(text.replace('"<350" = ', '"<300" = '))).strata

@@ -5,10 +5,11 @@ from itertools import product
 
 import numpy as np
 import pytest
+from collectives import product_text
 from scipy.integrate import quad
 from scipy.stats import norm, truncnorm
 
-from hh_exudyn.campaign.collective import Collective, Stratum, plan_of_text, template_text
+from hh_exudyn.campaign.collective import Collective, Stratum, plan_of_text
 from hh_exudyn.campaign.collective.axes import gauge_deviations
 from hh_exudyn.campaign.collective.design import full_product, overlay
 from hh_exudyn.campaign.collective.plan import GaugeSpread
@@ -178,12 +179,9 @@ def test_overlays_of_groups_are_samples_of_units() -> None:
         curve = 0.0 if stratum.straight else 300.0 / stratum.radius_m
         return math.exp(3.0 * stratum.friction_tread * curve) * (1.0 + 0.05 * (1445.0 - stratum.gauge_mm))
 
-    text = template_text()
-    full = Collective(
-        plan_of_text(text.replace('"overlay"', '"full"').replace("replicates = 3", "replicates = 1"))
-    )
+    full = Collective(plan_of_text(product_text("full", replicates=1)))
     exact = math.fsum(item.weight * value(item.stratum) for item in full.strata)
-    found = Collective(plan_of_text(text.replace("replicates = 3", "replicates = 12")))
+    found = Collective(plan_of_text(product_text("overlay", replicates=12)))
     units, known = by_units(
         np.array([item.weight for item in found.strata]),
         [found.unit(item.stratum) for item in found.strata],

@@ -3,17 +3,20 @@
 import csv
 import math
 from collections import defaultdict
+from functools import cache
 from pathlib import Path
 
 import pytest
+from collectives import product_text
 
 from hh_exudyn.campaign.collective import Collective, plan_of_text, template_text
-from hh_exudyn.campaign.collective.plan import DESIGNS, HANDS
+from hh_exudyn.campaign.collective.plan import DESIGNS, HANDS, SAMPLED
 from track.irregularity.quality import CLASSES
 from track.line.line import read_line
 
 REFERENCE = Path(__file__).parents[2] / "reference" / "hossein_nia_2018_line.csv"
 EXACT = 1e-12
+LOCOMOTIVE = "iore_locomotive"
 
 
 def table() -> list[dict[str, str]]:
@@ -22,16 +25,26 @@ def table() -> list[dict[str, str]]:
 
 
 def collective(design: str = "overlay", hands: str = "merged", replicates: int = 3) -> Collective:
-    text = template_text("malmbanan", "iore_wagon_pair")
-    text = text.replace('kind = "overlay"', f'kind = "{design}"').replace(
-        'hands = "merged"', f'hands = "{hands}"'
-    )
-    return Collective(plan_of_text(text.replace("replicates = 3", f"replicates = {replicates}")))
+    text = product_text(design, replicates=replicates) if design != SAMPLED else template_text()
+    return Collective(plan_of_text(text.replace('hands = "merged"', f'hands = "{hands}"')))
 
 
-@pytest.fixture(scope="module", params=[(design, hands) for design in DESIGNS for hands in HANDS])
+OF_CELLS = [(design, hands) for design in DESIGNS if design != SAMPLED for hands in HANDS]
+
+
+@pytest.fixture(scope="module", params=[*OF_CELLS, *((SAMPLED, hands) for hands in HANDS)])
 def found(request: pytest.FixtureRequest) -> Collective:
-    design, hands = request.param
+    return made(*request.param)
+
+
+@pytest.fixture(scope="module", params=OF_CELLS)
+def cells(request: pytest.FixtureRequest) -> Collective:
+    """With the exact shares of every axis; what points have of them is in `test_stratified`."""
+    return made(*request.param)
+
+
+@cache
+def made(design: str, hands: str) -> Collective:
     return collective(design, hands, 2 if design == "overlay" else 1)
 
 
@@ -47,23 +60,23 @@ def test_classes_and_hands_are_those_of_the_curve_table(found: Collective) -> No
     assert found.share(hand="straight") == pytest.approx(0.502, abs=EXACT)
 
 
-def test_quality_within_every_class_is_the_lines(found: Collective) -> None:
+def test_quality_within_every_class_is_the_lines(cells: Collective) -> None:
     for part in read_line("malmbanan").classes:
         for quality, share in zip(CLASSES, part.quality, strict=True):
-            mine = found.share(running="loaded", curve_class=part.name, hand=part.hand, quality=quality)
+            mine = cells.share(running="loaded", curve_class=part.name, hand=part.hand, quality=quality)
             assert mine == pytest.approx(0.5 * part.share * share, abs=EXACT)
 
 
-def test_every_axis_has_the_shares_of_the_file_in_every_group(found: Collective) -> None:
+def test_every_axis_has_the_shares_of_the_file_in_every_group(cells: Collective) -> None:
     by: dict[tuple[str, str], dict[str, list[float]]] = defaultdict(lambda: defaultdict(list))
-    for item in found.strata:
+    for item in cells.strata:
         group = (item.stratum.running, item.stratum.group)
         for axis in ("season", "haul", "speed_km_h", "gauge_mm"):
             by[group][f"{axis}={getattr(item.stratum, axis)}"].append(item.weight)
         by[group]["all"].append(item.weight)
     for shares in by.values():
         whole = math.fsum(shares["all"])
-        for season in found.plan.seasons:
+        for season in cells.plan.seasons:
             assert math.fsum(shares[f"season={season.name}"]) == pytest.approx(
                 season.share * whole, abs=EXACT
             )
@@ -122,3 +135,14 @@ def test_the_table_has_a_row_a_stratum_and_parts_that_sum_to_its_weight() -> Non
     assert {row["wear_divisor_tread"] for row in rows if row["season"] == "humid"} == {6.0}
     assert {row["wear_divisor_tread"] for row in rows if row["season"] == "dry"} == {1.0}
     assert math.fsum(row["weight"] for row in rows) == pytest.approx(1.0, abs=EXACT)
+
+
+@pytest.mark.parametrize("design", ["full", "overlay"])
+def test_hauls_have_the_shares_of_single_classes(design: str) -> None:
+    """Three in four tight curves lie on the descent of the loaded train, and climb on the way back."""
+    mine = Collective(plan_of_text(product_text(design, LOCOMOTIVE, replicates=1)))
+    for running, haul, tight, wide in (("loaded", "down", 0.75, 0.35), ("empty", "up", 0.75, 0.35)):
+        for curve_class, share in (("350:400", tight), ("400:450", tight), ("450:600", wide)):
+            whole = mine.share(running=running, curve_class=curve_class)
+            found = mine.share(running=running, curve_class=curve_class, haul=haul) / whole
+            assert found == pytest.approx(share, abs=EXACT)

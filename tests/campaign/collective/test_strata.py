@@ -7,14 +7,12 @@ import sys
 from dataclasses import replace
 
 import pytest
+from collectives import product_text
 
 from hh_exudyn.campaign.collective import Collective, plan_of_text, template_text
 
-SMALL = (
-    template_text()
-    .replace('kind = "overlay"', 'kind = "full"')
-    .replace("quantiles = 3", "quantiles = 1")
-    .replace("[100.0, 80.0], share_percent = [70.0, 30.0]", "[100.0], share_percent = [100.0]")
+SMALL = product_text("full", quantiles=1).replace(
+    "[100.0, 80.0], share_percent = [70.0, 30.0]", "[100.0], share_percent = [100.0]"
 )
 
 
@@ -77,7 +75,7 @@ def test_resampled_cells_keep_their_weight_and_their_old_seeds(small: Collective
 
 def test_overlays_of_single_groups_are_resampled() -> None:
     """Of overlays a unit is a group of a running: new ones are added, old ones keep seeds and shares."""
-    found = Collective(plan_of_text(template_text()))
+    found = Collective(plan_of_text(product_text()))
     more = found.resampled({"loaded;<350": 5})
     assert math.fsum(s.weight for s in more) == pytest.approx(1.0, abs=1e-12)
     for hand, share in (("left", 0.0115), ("right", 0.011)):  # Table 1-3: 2.3 and 2.2 %, half of it loaded
