@@ -203,7 +203,7 @@ class _Loop:
         self._began = clock.monotonic()
         plan = campaign.plan
         self._evaluation = Evaluation(
-            plan, plan.collective.cases(), folder, workers, campaign.directory, self._of_cases
+            plan, plan.of_steps.cases(), folder, workers, campaign.directory, self._of_cases
         )
         self._made: list[Evaluated] = []
         self._distance = self._first = 0.0

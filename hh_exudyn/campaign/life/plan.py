@@ -23,7 +23,7 @@ The tables may be left out: then the defaults hold, which are those of `Grouping
 `hh_exudyn.campaign.engine.case_damage.DamageSettings` and `damage.evolution.tolerance.StepTolerance`.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -79,6 +79,9 @@ class CampaignPlan:
         Law, steel, cells.
     step
         Tolerances.
+    replicates
+        Random samples of the collective in every evaluation of a step (the same ones in all of them) [-]; the
+        collective itself has more, for its error.
     unmoved
         Largest distance along the normal by which a profile may have moved within the contact of a case that
         is not run again [m].
@@ -94,10 +97,16 @@ class CampaignPlan:
     grouping: Grouping = field(default_factory=Grouping)
     damage: DamageSettings = field(default_factory=lambda: DamageSettings(cells=(30, 20)))
     step: StepTolerance = field(default_factory=StepTolerance)
+    replicates: int = 1
     unmoved: float = 1e-6
     failing_weight: float = 0.02
     workshop: Workshop | None = None
     numbers: tuple[Parameter, ...] = ()
+
+    @property
+    def of_steps(self) -> Collective:
+        """The collective with the replicates that every evaluation of a step runs."""
+        return Collective(replace(self.collective.plan, replicates=self.replicates))
 
 
 def read_campaign(path: str | Path) -> CampaignPlan:
@@ -189,6 +198,7 @@ def _step(table: SourcedTable) -> dict[str, Any]:
     )
     values = {
         "step": found,
+        "replicates": table.whole("replicates", "-", 1, 1000) if "replicates" in table else 1,
         "unmoved": 1e-6 * _or(table, "unmoved_um", "um", 0.0, 100.0, 1.0),
         "failing_weight": 1e-2 * _or(table, "failing_percent", "%", 0.0, 100.0, 2.0),
     }
