@@ -35,6 +35,22 @@ def test_a_crack_is_deep_enough_where_growth_less_wear_makes_it(
     assert local.distance > 2.0 * forecast.distance
 
 
+def test_wear_of_table_1_8(
+    wheels: WheelCondition, rates: LifeRates, limits: WheelLimits, places: WheelPlaces
+) -> None:
+    """150,000 km: Sh +1.34 and Sd -0.11 mm need 0.92 mm off the flange face, 6.1 um per 1000 km and not 0.7.
+
+    Sd is measured 10 mm below the tread: the tread's wear alone makes it 1.1 mm larger.
+    """
+    new = wheels.step.measures
+    for factor, change in ((1.0, -0.11e-3), (0.0, 1.11e-3)):
+        tread = np.where(rates.wear.y < 0.035, rates.wear.depth_per_km, factor * rates.wear.depth_per_km)
+        only = replace(rates.scaled(damage=0.0), wear=replace(rates.wear, depth_per_km=tread))
+        worn = life_from_rates(wheels, only, limits, places, longest=150e6).condition.step.measures
+        assert worn.flange_height - new.flange_height == pytest.approx(1.34e-3, abs=0.02e-3)
+        assert worn.flange_thickness - new.flange_thickness == pytest.approx(change, abs=0.04e-3)
+
+
 def test_all_rates_doubled_is_half_the_distance(
     wheels: WheelCondition, rates: LifeRates, limits: WheelLimits, places: WheelPlaces
 ) -> None:
