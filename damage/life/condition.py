@@ -155,12 +155,12 @@ class WheelCondition:
         numbers = {f"step_{name}": getattr(self.step, name) for name in _NUMBERS}
         numbers |= {f"measure_{name}": value for name, value in asdict(self.step.measures).items()}
         numbers["turned_at"] = self.turned_at
-        arrays: Arrays = {name: np.array(value, dtype=np.float64) for name, value in numbers.items()}
+        arrays: Arrays = {name: np.array([value], dtype=np.float64) for name, value in numbers.items()}
         arrays |= {"y": self.step.profile.y, "z": self.step.profile.z}
         if (arc := self.grid.profile_arc) is not None:
             arrays |= {"profile_y": arc.y, "profile_arc": arc.arc}
         for index, layer in self.cracks.items():
-            arrays[f"failure_depth_{index}"] = np.array(layer.failure_depth)
+            arrays[f"failure_depth_{index}"] = np.array([layer.failure_depth])
             arrays |= {f"{name}_{index}": getattr(layer, name) for name in _LAYER}
         return pack(header, arrays)
 
@@ -187,19 +187,19 @@ class WheelCondition:
             step = WearStep(
                 profile=Profile(header["profile"], "wheel", arrays["y"], arrays["z"]),
                 measures=WheelMeasures(
-                    **{name: float(arrays[f"measure_{name}"]) for name in WheelMeasures.__annotations__}
+                    **{name: arrays[f"measure_{name}"].item() for name in WheelMeasures.__annotations__}
                 ),
-                **{name: float(arrays[f"step_{name}"]) for name in _NUMBERS},
+                **{name: arrays[f"step_{name}"].item() for name in _NUMBERS},
             )
             cracks = {
                 index: CrackLayer(
                     grid,
-                    float(arrays[f"failure_depth_{index}"]),
+                    arrays[f"failure_depth_{index}"].item(),
                     **{name: arrays[f"{name}_{index}"] for name in _LAYER},
                 )
                 for index in header["cracks"]
             }
-            turned_at = float(arrays["turned_at"])
+            turned_at = arrays["turned_at"].item()
             return cls(str(header["group"]), step, cracks, turned_at, int(header["turnings"]))
         except (KeyError, TypeError, ValueError) as error:
             raise BrokenFile(f"{source}: holds no condition of wheels: {error}") from None

@@ -1,4 +1,4 @@
-"""Forecast of lives from constant rates of wear and of crack damage: no new evaluation, some 10 ms a life.
+"""Forecast of lives from constant rates of wear and of crack damage: no new evaluation, some 0.1 s a life.
 
 The rates are those of one condition, per kilometre; profile and cracks go on with them. The life goes by
 steps that wear by no more than a small depth, each along the normals of the profile that it begins with. What
@@ -6,7 +6,7 @@ a forecast leaves out: worn profiles have other rates, so it is for short distan
 is assumed, and for a maintenance plan from measured rates.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import NamedTuple
@@ -124,6 +124,7 @@ def life_from_rates(
     """
     check_above_zero("longest", longest, "m", "a forecast")
     check_above_zero("step_depth", step_depth, "m", "a forecast")
+    _check_rates(condition, rates)
     way = _step_way(condition, rates, longest, step_depth, places, inspection)
     found: dict[tuple[str, float], Crossing] = {}
     now, at_first, end = condition, None, condition.step.distance + longest
@@ -143,6 +144,33 @@ def life_from_rates(
             break
     ordered = tuple(sorted(found.values(), key=lambda crossing: crossing.distance))
     return Forecast(ordered, now if at_first is None else at_first)
+
+
+def first_turnings(
+    condition: WheelCondition,
+    samples: Iterable[LifeRates],
+    limits: WheelLimits,
+    places: WheelPlaces,
+    inspection: Inspection = _TREAD_ALONE,
+    longest: float = LONGEST,
+) -> FloatArray:
+    """(n,) distance since new of the first turning for samples of the rates (seasons, seeds, studies) [m].
+
+    Infinite where no limit is reached; quantiles: `damage.life.life_table.distance_quantiles`.
+
+    Parameters
+    ----------
+    condition
+        The wheels now.
+    samples
+        n rates.
+    limits, places, inspection, longest
+        As `life_from_rates`.
+    """
+    return np.array(
+        [life_from_rates(condition, one, limits, places, inspection, longest).distance for one in samples],
+        dtype=np.float64,
+    )
 
 
 def whole_life(
@@ -198,6 +226,20 @@ def whole_life(
     return tuple(turnings)
 
 
+def _check_rates(condition: WheelCondition, rates: LifeRates) -> None:
+    if set(rates.damage_per_km) != set(condition.cracks):
+        raise ValueError(
+            f"damage_per_km by {sorted(rates.damage_per_km)}; wheels {condition.group!r} have cracks by "
+            f"{sorted(condition.cracks)}"
+        )
+    for index, values in rates.damage_per_km.items():
+        if values.shape != (condition.grid.count,):
+            raise ValueError(
+                f"damage_per_km by {index!r} has shape {values.shape}, needed ({condition.grid.count},): one "
+                "value per bin"
+            )
+
+
 def _step_way(
     condition: WheelCondition,
     rates: LifeRates,
@@ -208,9 +250,10 @@ def _step_way(
 ) -> float:
     """Length of the steps [m]: by wear, and by damage of no more than a tenth of a life."""
     deepest = float(rates.wear.depth_per_km.max(initial=0.0))
-    deciding = rates.damage_per_km.get(inspection.index, np.zeros(condition.grid.count))
-    largest = places.largest(deciding, condition.grid.lateral)
-    damage = max(largest[place] for place in inspection.places)
+    damage = 0.0
+    if inspection.index in rates.damage_per_km:  # else `measured` says so
+        largest = places.largest(rates.damage_per_km[inspection.index], condition.grid.lateral)
+        damage = max(largest[place] for place in inspection.places)
     ways = [longest]
     if deepest > 0.0:
         ways.append(1e3 * step_depth / deepest)

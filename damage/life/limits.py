@@ -7,7 +7,7 @@ from damage.parameters import parameters, table_names
 from hh_exudyn.sourced import Parameter
 
 _GENERAL = ("profile", "cracks", "places", "turning")  # the other tables are vehicles
-_METRES = {"mm": 1e-3, "-": 1.0}
+_PER_SI = {"mm": 1e3, "-": 1.0}
 
 
 @dataclass(frozen=True)
@@ -113,4 +113,4 @@ def limit(table: str, name: str) -> float:
 
 
 def _si(item: Parameter) -> float:
-    return item.value * _METRES[item.unit]
+    return item.value / _PER_SI[item.unit]
