@@ -13,8 +13,10 @@ The most particular counts: a wheel before its wheelset, that before its side, t
 names of profiles or files, as for ``wheel_profile``.
 """
 
+import hashlib
 import re
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any, Self
 
 from pydantic import ConfigDict, model_validator
@@ -22,6 +24,7 @@ from pydantic import ConfigDict, model_validator
 from hh_exudyn.case.fields import CaseTable, is_path
 from hh_exudyn.contact.profile import Profile, read_wheel_profile, wheel_profile
 from hh_exudyn.contact.profiles.measures import flange_thickness
+from hh_exudyn.text_files import read_bytes
 
 _KEY = re.compile(r"([1-9]\d*)?([LR])?")
 _OTHER = {"L": "R", "R": "L"}
@@ -58,8 +61,16 @@ class WheelProfilesCase(CaseTable):
 
 
 def read_wheel(name: str) -> Profile:
-    """A wheel profile by its name, or from its file."""
-    return read_wheel_profile(name) if is_path(name) else wheel_profile(name)
+    """A wheel profile by its name, or from its file. Raises ValueError as these do."""
+    if not is_path(name):
+        return wheel_profile(name)
+    return _of_content(name, hashlib.sha256(read_bytes(name)).digest())
+
+
+@lru_cache(maxsize=64)  # a case with a file for every wheel asks for them ten times, 40 ms each
+def _of_content(path: str, digest: bytes) -> Profile:
+    """The profile of a file; its content is part of the key, as a file may be written anew."""
+    return read_wheel_profile(path)
 
 
 def wheel_names(others: WheelProfilesCase | None, profile: str, wheelsets: int) -> list[tuple[str, str]]:

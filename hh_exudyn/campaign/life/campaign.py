@@ -19,9 +19,10 @@ from damage.evolution.measures import ConicityTrack
 from damage.evolution.profile_wear import ProfileWear
 from damage.evolution.tolerance import tolerated_steps
 from damage.life.condition import WheelCondition
-from hh_exudyn.campaign.engine.case_damage import code
+from hh_exudyn.campaign.engine.case_damage import code, evaluate_case
 from hh_exudyn.campaign.engine.mapping import Standing
 from hh_exudyn.campaign.engine.results import ResultFolder
+from hh_exudyn.campaign.engine.task import Evaluate
 from hh_exudyn.campaign.engine.workers import Workers
 from hh_exudyn.campaign.life.evaluation import Evaluated, Evaluation
 from hh_exudyn.campaign.life.plan import CampaignPlan, campaign_of_text
@@ -147,6 +148,7 @@ class Campaign:
         distance: float | None = None,
         budget: float = float("inf"),
         progress: Progress | None = None,
+        evaluate: Evaluate = evaluate_case,
     ) -> bool:
         """Go on until a distance, or until a time is over.
 
@@ -160,6 +162,8 @@ class Campaign:
             Time that may be used [s].
         progress
             Called some times a second, and after every step.
+        evaluate
+            From a case to its sums, as `Evaluation`.
 
         Returns
         -------
@@ -179,7 +183,7 @@ class Campaign:
         name = hashlib.sha256(self._text.encode()).hexdigest()[:16]
         with ResultFolder(self.directory / RESULTS, name, code()) as folder:
             try:
-                _Loop(self, folder, workers, goal, clock.monotonic() + budget, progress).run()
+                _Loop(self, folder, workers, goal, clock.monotonic() + budget, progress, evaluate).run()
             except BudgetSpent:
                 return False
         return True
@@ -197,13 +201,13 @@ class _Loop:
 
     def __init__(
         self, campaign: Campaign, folder: ResultFolder, workers: Workers, goal: float, deadline: float,
-        progress: Progress | None,
+        progress: Progress | None, evaluate: Evaluate,
     ) -> None:  # fmt: skip
         self._campaign, self._goal, self._deadline, self._progress = campaign, goal, deadline, progress
         self._began = clock.monotonic()
         plan = campaign.plan
         self._evaluation = Evaluation(
-            plan, plan.of_steps.cases(), folder, workers, campaign.directory, self._of_cases
+            plan, plan.of_steps.cases(), folder, workers, campaign.directory, self._of_cases, evaluate
         )
         self._made: list[Evaluated] = []
         self._distance = self._first = 0.0

@@ -18,7 +18,7 @@ from hh_exudyn.campaign.collective.weighted import WeightedCase
 from hh_exudyn.campaign.engine.case_damage import CaseWork, Part, case_task, evaluate_case
 from hh_exudyn.campaign.engine.mapping import Standing, evaluate_all
 from hh_exudyn.campaign.engine.results import ResultFolder
-from hh_exudyn.campaign.engine.task import Task
+from hh_exudyn.campaign.engine.task import Evaluate, Task
 from hh_exudyn.campaign.engine.workers import Workers
 from hh_exudyn.campaign.life.groups import Place
 from hh_exudyn.campaign.life.plan import CampaignPlan
@@ -89,15 +89,19 @@ class Evaluation:
         Of the campaign, for records and profiles.
     progress
         Called as `evaluate_all` does.
+    evaluate
+        From a `CaseWork` to sums: a pure function, defined in a module.
     """
 
     def __init__(
         self, plan: CampaignPlan, cases: Sequence[WeightedCase], folder: ResultFolder, workers: Workers,
         directory: Path, progress: Callable[[Standing], None] | None = None,
+        evaluate: Evaluate = evaluate_case,
     ) -> None:  # fmt: skip
         self._plan, self._folder, self._workers = plan, folder, workers
         self._records, self._progress = directory / EVALUATIONS, progress
         self.profiles = ProfileFiles(directory / PROFILES)
+        self._evaluate = evaluate
         self._slots = [_slot(plan, weighted) for weighted in cases]
         self._last: dict[str, LastRun] = {}
         self._rates: dict[tuple[str, int], Mapping[str, GroupRates]] = {}
@@ -122,7 +126,7 @@ class Evaluation:
         found = recorded if recorded is not None else self._planned(digests)
         tasks = self._tasks(found, digests)
         report = evaluate_all(
-            list(tasks.values()), evaluate_case, self._folder, self._workers,
+            list(tasks.values()), self._evaluate, self._folder, self._workers,
             self._plan.failing_weight, progress=self._progress,
         )  # fmt: skip
         if recorded is None:

@@ -1,0 +1,106 @@
+"""A campaign with made-up wear: distance, resuming, turning, what is not run again, what is refused."""
+
+import re
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+from made_up_wear import TREAD_RATE, made_up_sums
+
+from hh_exudyn.campaign.collective import template_text
+from hh_exudyn.campaign.engine.case_damage import CaseWork
+from hh_exudyn.campaign.engine.sums import PartSums
+from hh_exudyn.campaign.engine.workers import GivenWorkers
+from hh_exudyn.campaign.life.campaign import Campaign
+
+STEP = """
+[wheels]
+groups = "{groups}"
+
+[limits]
+of = "iore_wagon"
+targets = ["WP4_like"]
+
+[step]
+profile_um = 20.0
+pressure_percent = 50.0
+longest_km = {longest}
+source = "assumed: for a test"
+"""
+
+
+def campaign_file(folder: Path, groups: str = "role", longest: float = 20e3) -> Path:
+    """A campaign of single wagons with five cases an evaluation."""
+    text = template_text("malmbanan", "iore_wagon")
+    text = re.sub(r"merged_classes = .*", 'merged_classes = [["<350", "350:400", "400:450"]]', text)
+    text = re.sub(r"\nruns = \d+", "\nruns = 16", text)
+    path = folder / "campaign.toml"
+    path.write_text(text + STEP.format(groups=groups, longest=longest), encoding="utf-8")
+    return path
+
+
+def run(campaign: Campaign, kilometres: float, evaluate=made_up_sums) -> bool:
+    with ThreadPoolExecutor(1) as threads:
+        return campaign.run(GivenWorkers(threads, 1), 1e3 * kilometres, evaluate=evaluate)
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """All files of a campaign but wall times."""
+    files = (file for file in folder.rglob("*") if file.is_file() and file.name != "times.jsonl")
+    return {str(file.relative_to(folder)): file.read_bytes() for file in files}
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Campaign:
+    folder = tmp_path_factory.mktemp("whole")
+    campaign = Campaign.begin(campaign_file(folder), folder / "out")
+    assert run(campaign, 60e3)
+    return campaign
+
+
+def test_wheels_wear_at_their_rate(whole: Campaign) -> None:
+    """The made-up rate does not depend on the profile: depth is rate times distance, whatever the steps."""
+    for history in whole.histories().values():
+        assert history.last.distance == pytest.approx(60e6)
+        lost = history.steps[0].radius - history.last.radius
+        assert lost == pytest.approx(60e6 * TREAD_RATE, rel=0.02)
+
+
+def test_the_outer_wheel_alone_wears_at_its_root(whole: Campaign) -> None:
+    outer, inner = (whole.histories()[role] for role in ("outer", "inner"))
+    thinner = [h.steps[0].measures.flange_thickness - h.last.measures.flange_thickness for h in (outer, inner)]
+    assert thinner[0] > 0.01e-3
+    assert abs(thinner[1]) < 0.2 * thinner[0]
+
+
+def test_cracks_grow_less_what_wears_off(whole: Campaign) -> None:
+    """Miner's sum of the tread without wear is rate times distance, and with wear less."""
+    last = whole.files.conditions(whole.files.count - 1)["inner"].cracks["local"]
+    assert last.damage_without_wear.max() > 0.0
+    assert np.all(last.damage <= last.damage_without_wear + 1e-12)
+
+
+class Killed(RuntimeError):
+    """The end of a process."""
+
+
+@pytest.mark.parametrize("after", [3, 17, 30])
+def test_a_killed_campaign_goes_on_to_the_same_bytes(after: int, tmp_path: Path, whole: Campaign) -> None:
+    campaign = Campaign.begin(campaign_file(tmp_path), tmp_path / "out")
+    left = [after]
+
+    def dying(work: CaseWork) -> PartSums:
+        left[0] -= 1
+        if left[0] < 0:
+            raise MemoryError("a kill")
+        return made_up_sums(work)
+
+    with pytest.raises(Exception, match="a kill"):
+        run(campaign, 60e3, dying)
+    again = Campaign.begin(campaign_file(tmp_path), tmp_path / "out")
+    assert run(again, 60e3)
+    here, there = contents(tmp_path / "out"), contents(whole.directory)
+    names = {name for name in here if name.startswith(("steps", "evaluations", "profiles"))}
+    assert names == {name for name in there if name.startswith(("steps", "evaluations", "profiles"))}
+    assert all(here[name] == there[name] for name in names)
