@@ -55,7 +55,7 @@ def lives_figure(turnings: Sequence[Turning], limits: WheelLimits) -> Figure:
                 below.bar(at + shift, 2e3 * one.cut - profile, width, profile, color=colour, alpha=0.4)
     above.axhline(1e3 * limits.least_diameter, color="0.4", linewidth=0.8, linestyle="--")
     above.set_ylabel("diameter [mm]", fontsize=9)
-    below.set_ylabel("turned off [mm]", fontsize=9)
+    below.set_ylabel("diameter turned off [mm]", fontsize=9)
     below.set_xlabel("distance since new [km]", fontsize=9)
     causes = [cause for cause in _CAUSES if any(one.cause == cause for one in turnings)]
     for cause in causes:
