@@ -206,6 +206,21 @@ def test_flexible_car_body(tmp_path: Path) -> None:
     assert float(found[1]) == pytest.approx(9.0, rel=0.02)
 
 
+@pytest.mark.slow
+def test_when_to_turn(tmp_path: Path) -> None:
+    """Cracks come first; early turnings waste the metal below each crack; a plan has its quantiles."""
+    text = run("15_when_to_turn.py", tmp_path)
+    reached = re.findall(r"^(\w+) reaches [\d.]+ mm after (\d+) km$", text, re.MULTILINE)
+    assert reached[0][0] == "crack_depth"
+    late, early = map(int, re.findall(r"end after (\d+) km", text))
+    assert 400_000 < early < late < 600_000
+    quantiles = [int(km) for km in re.findall(r"% by (\d+) km", text)]
+    assert quantiles == sorted(quantiles)
+    assert quantiles[0] < int(reached[0][1]) < quantiles[-1]
+    assert (tmp_path / "life.parquet").exists()
+    assert (tmp_path / "lives.png").stat().st_size > 10_000
+
+
 def test_every_example_is_run_here() -> None:
     source = Path(__file__).read_text()
     for path in EXAMPLES.glob("*.py"):

@@ -10,6 +10,7 @@
 `damage.figures.wear_map`             contacts in Jendel's map, one point per cell that slips
 `damage.figures.wear_ratio`           wear ratio over the lateral position on the wheel
 `damage.figures.evolution`            a profile over its life: shapes, wear and measures over the distance
+`damage.figures.lives`                diameter over the distance, what every turning was for
 `damage.figures.working_points`       a run's contact states in the shakedown diagram of a point contact
 `damage.figures.line_stress`          stresses below a line contact: principal shear, surface, first yield
 `damage.figures.shakedown_map`        limits of line and point contact over traction

@@ -16,6 +16,7 @@
 `damage.life.decision`        the limits that are reached, and where within a step
 `damage.life.turning`         the cut to a profile and below the cracks, the end of a wheel
 `damage.life.life_table`      lives as a table, quantiles of the distance to the first turning
+`damage.life.rates`           rates of wear and damage of a surface
 `damage.life.forecast`        lives from constant rates
 ============================  ==========================================================================
 """

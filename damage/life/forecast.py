@@ -6,9 +6,7 @@ a forecast leaves out: worn profiles have other rates, so it is for short distan
 is assumed, and for a maintenance plan from measured rates.
 """
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
-from types import MappingProxyType
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
@@ -16,12 +14,12 @@ import numpy as np
 from damage.bounds import check_above_zero
 from damage.evolution.history import WearStep
 from damage.evolution.measures import ConicityTrack, WheelMeasures
-from damage.evolution.profile_wear import ProfileWear
 from damage.evolution.worn_profile import worn_profile
 from damage.life.condition import WheelCondition, between
 from damage.life.decision import Crossing, Inspection, crossings
 from damage.life.limits import WheelLimits
 from damage.life.places import WheelPlaces
+from damage.life.rates import LifeRates
 from damage.life.turning import Turning, TurningRule, turn
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile
@@ -40,38 +38,6 @@ _STEP_LIFE = (
 )
 
 _TREAD_ALONE = Inspection()
-
-
-@dataclass(frozen=True, eq=False)
-class LifeRates:
-    """Constant rates of a group of wheels.
-
-    Attributes
-    ----------
-    wear
-        Depth per kilometre over the profile.
-    damage_per_km
-        (B,) Miner's sum per kilometre by index, on the bins of the wheels' cracks [1/km].
-    """
-
-    wear: ProfileWear
-    damage_per_km: Mapping[str, FloatArray]
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "damage_per_km", MappingProxyType(dict(self.damage_per_km)))
-
-    def scaled(self, wear: float = 1.0, damage: float = 1.0) -> "LifeRates":
-        """The rates times factors, for studies.
-
-        Parameters
-        ----------
-        wear, damage
-            Factors >= 0.
-        """
-        return LifeRates(
-            replace(self.wear, depth_per_km=wear * self.wear.depth_per_km),
-            {index: damage * values for index, values in self.damage_per_km.items()},
-        )
 
 
 class Forecast(NamedTuple):
@@ -269,8 +235,7 @@ def _after(now: WheelCondition, rates: LifeRates, way: float) -> WheelCondition:
     radius = step.radius - lost
     depth = 1e-3 * way * float(rates.wear.depth_per_km.max(initial=0.0))
     after = WearStep(step.distance + way, worn, radius, depth, _measures(worn, radius))
-    damage = {index: values * (1e-3 * way) for index, values in rates.damage_per_km.items()}
-    return now.after(after, damage, rates.wear.at(now.grid.lateral) * (1e-3 * way))
+    return now.after(after, rates.damage(way), rates.wear.at(now.grid.lateral) * (1e-3 * way))
 
 
 def _measures(wheel: Profile, radius: float) -> WheelMeasures:

@@ -4,6 +4,9 @@ A. Ekberg, E. Kabo and H. Andersson, An engineering model for prediction of roll
 wheels, Fatigue & Fracture of Engineering Materials & Structures 25 (2002). The formulas are quoted from
 memory and were NOT confirmed against the paper [M]: they approximate the largest Dang Van stress below a
 Hertzian contact by its peak pressure, since P/(4 pi a b) = p0/6.
+
+The fatigue limit of a wheel steel is not known here, so surfaces keep the revolutions by level of FI_sub
+(`WheelSurface.subsurface_revolutions`): they can be judged by any limit afterwards (`revolutions_above`).
 """
 
 import math
@@ -15,6 +18,9 @@ from damage.bounds import check_above_zero
 
 DEFECT_EXPONENT = 1.0 / 6.0
 """Exponent of the reduction of the fatigue limit by the defect's size [-]; [M], unconfirmed."""
+
+LEVEL_STEP, LEVELS = 25e6, 40
+"""Width of a level of FI_sub [Pa], and their number; the last one has all that is beyond."""
 
 
 def subsurface_fatigue_index(
@@ -66,6 +72,39 @@ def subsurface_fatigue_index(
         residual = hydrostatic_weight * residual_stress
     index: NDArray[np.float64] = normal * (1.0 + utilised**2) / (4.0 * math.pi * axis_a * axis_b) + residual
     return index
+
+
+def level_of(index: ArrayLike) -> NDArray[np.int64]:
+    """Number of the level that an FI_sub [Pa] lies in, from 0."""
+    levels = np.asarray(index, dtype=np.float64) / LEVEL_STEP
+    return np.clip(levels, 0.0, LEVELS - 1.0).astype(np.int64)
+
+
+def revolutions_above(revolutions: ArrayLike, fatigue_limit: float) -> NDArray[np.float64]:
+    """Revolutions with an FI_sub above a fatigue limit [-], within its level in proportion.
+
+    Parameters
+    ----------
+    revolutions
+        (..., LEVELS) by level, as `WheelSurface.subsurface_revolutions`.
+    fatigue_limit
+        Equivalent fatigue limit of the steel, or that at a defect (`defect_fatigue_limit`) [Pa], > 0, up to
+        the beginning of the last level.
+
+    Raises
+    ------
+    ValueError
+        A limit outside these bounds, or another number of levels.
+    """
+    by_level = np.asarray(revolutions, dtype=np.float64)
+    highest = (LEVELS - 1) * LEVEL_STEP
+    if by_level.shape[-1:] != (LEVELS,):
+        raise ValueError(f"revolutions of shape {by_level.shape}, needed (..., {LEVELS}): one per level")
+    if not 0.0 < fatigue_limit <= highest:
+        raise ValueError(f"fatigue_limit = {fatigue_limit} Pa, allowed above 0 to {highest:g} Pa")
+    share = np.clip(np.arange(1, LEVELS + 1) - fatigue_limit / LEVEL_STEP, 0.0, 1.0)
+    above: NDArray[np.float64] = by_level @ share
+    return above
 
 
 def defect_fatigue_limit(

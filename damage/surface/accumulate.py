@@ -11,6 +11,7 @@ at once in threads (the kernel holds no lock), and their sums are added in the o
 is the same to the last bit however many threads there are.
 """
 
+import math
 import os
 from collections import deque
 from collections.abc import Callable, Iterator
@@ -35,6 +36,7 @@ from damage.log_input.states import POSE_COLUMNS, ContactStates, patch_of
 from damage.model import DamageModel
 from damage.patch_strips import FLANGE, TREAD
 from damage.rcf.number import COLUMNS, CORRECTED, COUNTED, ENERGY, Bins
+from damage.rcf.subsurface import level_of, subsurface_fatigue_index
 from damage.rcf.surface_index import surface_fatigue_index
 from damage.surface.contact_sums import (
     Placed,
@@ -295,6 +297,7 @@ def _piece_sums(piece: TimedStates, model: DamageModel) -> tuple[WheelSurface, I
     np.add.at(empty.patch_time, (wheel, part), interval)
     np.add.at(empty.friction_area, (wheel, part), states.friction * interval)
     np.add.at(empty.work, wheel, lost * states.speed * interval)
+    _add_subsurface(states, interval, wheel, part, empty)
     sums = replace(  # the rows of one output time share its interval, so time and distance add up in any cut
         empty,
         rows=wheel.size,
@@ -308,6 +311,18 @@ def _piece_sums(piece: TimedStates, model: DamageModel) -> tuple[WheelSurface, I
         surfaces = model.films.rows(states.vehicle, states.wheelset)
     placed = Placed(part.astype(np.int64), interval, index, position, stretch, lowest, highest, surfaces)
     return sums, wheel, placed
+
+
+def _add_subsurface(
+    states: ContactStates, interval: FloatArray, wheel: IntArray, part: IntArray, surface: WheelSurface
+) -> None:
+    """Add the revolutions of the loaded patches to their levels of FI_sub, each by its equivalent ellipse."""
+    loaded = states.normal_force > 0.0
+    force = states.normal_force[loaded]
+    used = np.hypot(states.force_x[loaded], states.force_y[loaded]) / force
+    level = level_of(subsurface_fatigue_index(force, states.a[loaded], states.b[loaded], used))
+    turns = states.speed * interval / (2.0 * math.pi * states.rolling_radius)
+    np.add.at(surface.subsurface_revolutions, (wheel[loaded], part[loaded], level), turns[loaded])
 
 
 def _wheels(states: ContactStates) -> tuple[tuple[Wheel, ...], IntArray]:

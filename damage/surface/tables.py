@@ -11,6 +11,7 @@ import numpy as np
 import pyarrow
 from numpy.typing import NDArray
 
+from damage.rcf.subsurface import LEVEL_STEP, LEVELS
 from damage.surface.wheel_surface import WheelSurface
 
 PARTS = ("tread", "flange")  # axis of 2
@@ -42,6 +43,7 @@ SUMS = {
     "positive_time": Sum(("part",), "s"),
     "index_area": Sum(("part",), "s"),
     "friction_area": Sum(("part",), "s"),
+    "subsurface_revolutions": Sum(("part", "level"), "-"),
     "work": Sum((), "J"),
     "pressure_by_part": Sum(("part",), "Pa"),
 }
@@ -55,7 +57,7 @@ class Axis:
     ----------
     name
         ``wheel``; ``part`` (tread, flange); ``regime`` of the wear law; ``s`` along the surface or, on a grid
-        without a profile, laterally; ``x`` along the patch.
+        without a profile, laterally; ``x`` along the patch; ``level`` of FI_sub, by its lower bound.
     unit
         Of its labels; "-" for names and numbers.
     labels
@@ -166,6 +168,14 @@ def patch_table(surface: WheelSurface) -> pyarrow.Table:
     return pyarrow.table(table)
 
 
+def level_table(surface: WheelSurface) -> pyarrow.Table:
+    """One row per wheel, part and level of FI_sub in which it has turned: its lower bound ``level_Pa``."""
+    axes, some = ("part", "level"), surface.subsurface_revolutions.ravel() > 0.0
+    table = {name: values[some] for name, values in _rows(surface, axes).items()}
+    table["subsurface_revolutions"] = surface.subsurface_revolutions.ravel()[some]
+    return pyarrow.table(table)
+
+
 def differences(one: WheelSurface, other: WheelSurface) -> dict[str, Difference]:
     """Largest differences of two surfaces by sum, and relative to the largest value of either.
 
@@ -196,6 +206,8 @@ def _axis(surface: WheelSurface, name: str, size: int) -> Axis:
         return Axis(name, "-", np.array(PARTS))
     if name == "regime":
         return Axis(name, "-", np.arange(1, size + 1))
+    if name == "level":
+        return Axis(name, "Pa", LEVEL_STEP * np.arange(size))
     if name == "s":
         return Axis(name, "m", surface.grid.centres)
     edges = surface.patch_grid.edges
@@ -204,7 +216,7 @@ def _axis(surface: WheelSurface, name: str, size: int) -> Axis:
 
 def _rows(surface: WheelSurface, axes: Sequence[str]) -> dict[str, NDArray[np.generic]]:
     """The columns that name a row: wheel, and its place on each of the axes."""
-    sizes = {"part": 2, "s": surface.grid.count, "x": surface.patch_grid.count}
+    sizes = {"part": 2, "level": LEVELS, "s": surface.grid.count, "x": surface.patch_grid.count}
     shape = (len(surface.wheels), *(sizes[axis] for axis in axes))
     wheels = np.array(surface.wheels, dtype=np.int32).reshape(-1, 4)
     index = np.indices(shape).reshape(len(shape), -1)

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from damage.bounds import check_not_below_zero
 from damage.patch_strips import FLANGE
+from damage.rcf.subsurface import LEVELS
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
 from damage.wear.law import REGIMES
 
@@ -90,6 +91,9 @@ class WheelSurface:
         (W, 2) time integral of the positive part of the fatigue index [s].
     friction_area
         (W, 2) time integral of the friction coefficient: the largest area that the index could have [s].
+    subsurface_revolutions
+        (W, 2, `LEVELS`) revolutions of the patches by level of FI_sub, fatigue below the surface
+        (`damage.rcf.subsurface`) [-].
     work
         (W,) energy lost in creepage [J].
     pressure_by_part
@@ -119,6 +123,7 @@ class WheelSurface:
     positive_time: NDArray[np.float64]
     index_area: NDArray[np.float64]
     friction_area: NDArray[np.float64]
+    subsurface_revolutions: NDArray[np.float64]
     work: NDArray[np.float64]
     pressure_by_part: NDArray[np.float64]
 
@@ -162,6 +167,7 @@ class WheelSurface:
             positive_time=np.zeros((count, 2)),
             index_area=np.zeros((count, 2)),
             friction_area=np.zeros((count, 2)),
+            subsurface_revolutions=np.zeros((count, 2, LEVELS)),
             work=np.zeros(count),
             pressure_by_part=np.zeros((count, 2)),
         )

@@ -5,9 +5,9 @@ import pytest
 
 from damage.evolution.profile_wear import ProfileWear
 from damage.life.condition import WheelCondition
-from damage.life.forecast import LifeRates
 from damage.life.limits import WheelLimits
 from damage.life.places import WheelPlaces
+from damage.life.rates import LifeRates
 from hh_exudyn.contact.profile import Profile, wheel_profile
 
 FAILURE_DEPTH = 5e-3

@@ -8,9 +8,10 @@ import pytest
 
 from damage.evolution.history import WearStep
 from damage.life.condition import WheelCondition, between, on_grid
-from damage.life.forecast import LifeRates, life_from_rates
+from damage.life.forecast import life_from_rates
 from damage.life.limits import WheelLimits
 from damage.life.places import WheelPlaces
+from damage.life.rates import LifeRates
 from damage.rcf.wear_and_cracks import CrackLayer
 from damage.surface.lateral_grid import LateralGrid
 from damage.surface.stored import BrokenFile

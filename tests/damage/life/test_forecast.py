@@ -9,11 +9,15 @@ import pytest
 
 from damage.life.condition import WheelCondition
 from damage.life.decision import Inspection
-from damage.life.forecast import LifeRates, first_turnings, life_from_rates, whole_life
+from damage.life.forecast import first_turnings, life_from_rates, whole_life
 from damage.life.life_table import distance_quantiles, life_table, write_life
 from damage.life.limits import WheelLimits
 from damage.life.places import WheelPlaces
+from damage.life.rates import LifeRates, rates_of
 from damage.life.turning import TurningRule
+from damage.patch_strips import FLANGE, TREAD
+from damage.surface.lateral_grid import LateralGrid
+from damage.surface.wheel_surface import Wheel, WheelSurface
 from hh_exudyn.contact.profile import Profile
 
 GROWTH = 5e-3 / 50e3  # m of crack per kilometre
@@ -176,3 +180,21 @@ def test_bad_forecasts(
     short = LifeRates(rates.wear, {"global": np.zeros(3), "local": np.zeros(3)})
     with pytest.raises(ValueError, match=r"shape \(3,\)"):
         life_from_rates(wheels, short, limits, places)
+
+
+def test_rates_of_a_surface(wp4: Profile, wheels: WheelCondition) -> None:
+    """The mean of two wheels per kilometre, tread and flange together, brought to the wheels' bins."""
+    grid = LateralGrid.along(wp4)
+    surface = WheelSurface.zero((Wheel(1, 1, 1, -1), Wheel(1, 1, 1, 1)), grid)
+    shape = np.interp(grid.lateral, [-0.03, 0.0, 0.04], [0.0, 1.0, 0.0])
+    for part, share in ((TREAD, 0.75), (FLANGE, 0.25)):
+        surface.global_crack_damage[1, part] = 4e-5 * share * shape
+        surface.depth_by_part[:, part] = 1e-8 * share * shape
+    found = rates_of(replace(surface, distance=2e3), wheels.grid)
+    expected = 1e-5 * np.interp(wheels.grid.lateral, grid.lateral, shape)
+    np.testing.assert_allclose(found.damage_per_km["global"], expected, rtol=1e-12)
+    assert found.damage_per_km["local"].max() == 0.0
+    np.testing.assert_allclose(found.wear.at(grid.lateral), 5e-9 * shape, rtol=1e-6, atol=1e-15)
+    assert found.damage(500e3)["global"] == pytest.approx(500.0 * found.damage_per_km["global"])
+    with pytest.raises(ValueError, match=r"no crack damage by \['energy'\]; it has global, local"):
+        rates_of(replace(surface, distance=2e3), wheels.grid, ("energy",))

@@ -7,9 +7,10 @@ import pytest
 
 from damage.life.condition import WheelCondition
 from damage.life.decision import due
-from damage.life.forecast import LifeRates, life_from_rates
+from damage.life.forecast import life_from_rates
 from damage.life.limits import WheelLimits
 from damage.life.places import WheelPlaces
+from damage.life.rates import LifeRates
 from damage.life.turning import Turning, TurningRule, turn, turnings_left
 from hh_exudyn.contact.profile import Profile, wheel_profile
 

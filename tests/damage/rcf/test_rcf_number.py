@@ -12,9 +12,11 @@ from damage.model import DamageModel
 from damage.patch_strips import FLANGE, TREAD
 from damage.rcf.burstow import Burstow
 from damage.rcf.miner import kabo_damage
+from damage.rcf.subsurface import LEVEL_STEP, LEVELS, level_of, revolutions_above
 from damage.report import assess
 from damage.surface.accumulate import accumulate
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
+from damage.surface.tables import level_table
 from damage.surface.wheel_surface import WheelSurface
 from hh_exudyn.contact.tangential.api import traction_field
 
@@ -185,6 +187,25 @@ def test_global_miner_sum_by_hand(make_log: MakeLog) -> None:
     assert (damage >= surface.crack_damage[0, TREAD] * (1.0 - 1e-12)).all()  # local: largest in the middle
     twice = surface + surface.scaled(3.0 * surface.distance)
     np.testing.assert_allclose(twice.global_crack_damage, 4.0 * surface.global_crack_damage, rtol=1e-15)
+
+
+def test_revolutions_by_level_of_the_subsurface_index(make_log: MakeLog) -> None:
+    """FI_sub = P (1 + (Q/P)^2) / (4 pi a b) = p0/6 (1 + mu^2) in full slip, in its level of 25 MPa."""
+    index = P0 / 6.0 * (1.0 + FRICTION**2)
+    surface = judged(make_log(**SLIDING, force_x=-FRICTION * LOAD))
+    turns = surface.subsurface_revolutions[0, TREAD]
+    assert turns[int(index / LEVEL_STEP)] == turns.sum() == pytest.approx(TURNS)
+    assert surface.subsurface_revolutions[0, FLANGE].sum() == 0.0
+    for limit, above in ((225e6, TURNS), (250e6, 0.0), (230e6, 0.8 * TURNS)):
+        assert revolutions_above(turns, limit) == pytest.approx(above)
+    assert 225e6 < index < 250e6
+    assert level_of([-1.0, 0.0, 24.9e6, 25e6, 5e9]).tolist() == [0, 0, 0, 1, LEVELS - 1]
+    table = level_table(surface).to_pylist()
+    assert [(row["part"], row["level_Pa"]) for row in table] == [("tread", 225e6)]
+    with pytest.raises(ValueError, match=r"fatigue_limit = 2000000000\.0 Pa, allowed above 0 to 9\.75e\+08"):
+        revolutions_above(turns, 2e9)
+    with pytest.raises(ValueError, match=r"revolutions of shape \(3,\), needed \(\.\.\., 40\)"):
+        revolutions_above(np.zeros(3), 2e8)
 
 
 def test_global_and_local_sum_differ_in_partial_slip(make_log: MakeLog) -> None:
