@@ -11,6 +11,7 @@ from hh_exudyn.campaign.engine.sums import DamageSums, PartSums
 from hh_exudyn.case.wheels import read_wheel, wheel_names
 
 TREAD_RATE = 1e-11  # m/m: 10 um in 1000 km
+TREAD_AREA = TREAD_RATE * 8e-3 * np.sqrt(np.pi)  # m^2/m
 FLANGE_RATE = 4e-11  # m/m, in curves
 CRACK_RATE = 2e-8  # 1/m
 
