@@ -1,0 +1,181 @@
+"""Tables of what a campaign has recorded: every step, every group of wheels, every place of a wheel."""
+
+from collections.abc import Mapping
+
+import numpy as np
+import pyarrow
+
+from damage.evolution.history import WearHistory
+from damage.evolution.running_in import RunningIn, running_in
+from damage.life.places import BANDS, PLACES
+from damage.material import wheel_material
+from hh_exudyn.campaign.results.recorded import Recorded
+
+_CHANGES = {"Sh_mm": "Sh_change_mm", "Sd_mm": "Sd_change_mm", "qR_mm": "qR_change_mm"}
+
+
+def measures_table(recorded: Recorded) -> pyarrow.Table:
+    """Measures of the wheels over the distance, a row for each group and step.
+
+    Columns: group; life from 1, as turned; those of `damage.evolution.history.WearHistory`; changes of Sh, Sd
+    and qR from the start; largest Miner's sum on the tread by each index, without what wore off.
+    """
+    found = []
+    for group, states in recorded.wheels.items():
+        table = WearHistory(tuple(one.step for one in states)).to_table()
+        count, places = len(states), recorded.places(group)
+        table = table.add_column(0, "group", pyarrow.array([group] * count))
+        table = table.add_column(1, "life", pyarrow.array(_lives(recorded, group)))
+        for name, change in _CHANGES.items():
+            values = table[name].to_numpy()
+            table = table.append_column(change, pyarrow.array(values - values[0]))
+        for index in states[0].cracks:
+            tread = [places.largest(one.cracks[index].damage, one.grid.lateral)["tread"] for one in states]
+            table = table.append_column(f"tread_miner_{index}", pyarrow.array(tread))
+        found.append(table)
+    return pyarrow.concat_tables(found)
+
+
+def running_in_table(recorded: Recorded) -> pyarrow.Table:
+    """Distance and depth of running-in of the first life, a row for each group."""
+    found = {group: first_running_in(recorded, group) for group in recorded.groups}
+    return pyarrow.table(
+        {
+            "group": list(found),
+            "distance_km": [1e-3 * one.distance for one in found.values()],
+            "depth_um": [1e6 * one.depth for one in found.values()],
+            "finished": [one.finished for one in found.values()],
+        }
+    )
+
+
+def first_running_in(recorded: Recorded, group: str) -> RunningIn:
+    """Running-in of new wheels: under seizure at 0.8 of the hardness of the campaign's steel.
+
+    Parameters
+    ----------
+    recorded
+        The steps.
+    group
+        Of wheels.
+    """
+    hardness = wheel_material(recorded.campaign.plan.damage.material).require("hardness", "running-in")
+    states = recorded.wheels[group]
+    first = tuple(one.step for one in states if one.turned_at == 0.0)
+    return running_in(WearHistory(first), hardness)
+
+
+def wear_table(recorded: Recorded) -> pyarrow.Table:
+    """Wear of each life by place of the wheel, a row for each group, life and place.
+
+    Columns: from where to where, the largest depth that has worn off between at any one place, normal to the
+    surface, and its rate. A first life counts from the end of its running-in; rate and depth are missing
+    where that is not over.
+    """
+    rows: dict[str, list[object]] = {
+        name: [] for name in ("group", "life", "place", "from_km", "to_km", "depth_um", "um_per_1000_km")
+    }
+    for group, states in recorded.wheels.items():
+        places, lives = recorded.places(group), _lives(recorded, group)
+        run_in = first_running_in(recorded, group)
+        for life in dict.fromkeys(lives):
+            own = [one for one, number in zip(states, lives, strict=True) if number == life]
+            start = run_in.distance if life == 1 else own[0].turned_at
+            before = [one for one in own if one.step.distance <= start]
+            layers = [next(iter(one.cracks.values())) for one in (own[-1], *before[-1:])]
+            worn = layers[0].worn - (layers[1].worn if before else 0.0)
+            way = own[-1].step.distance - start
+            deepest = places.largest(np.maximum(worn, 0.0), own[-1].grid.lateral)
+            for place in PLACES:
+                depth = 1e6 * deepest[place] if way > 0.0 else None
+                values = (group, life, place, 1e-3 * start, 1e-3 * own[-1].step.distance, depth)
+                rate = None if depth is None else depth / (1e-6 * way)
+                for name, value in zip(rows, (*values, rate), strict=True):
+                    rows[name].append(value)
+    return pyarrow.table(rows)
+
+
+def cracks_table(recorded: Recorded) -> pyarrow.Table:
+    """Cracks of the present life, a row for each group, index, and place or band of the wheel.
+
+    Columns: y from and to of a band of the tread; the largest Miner's sum with and without what wore off; the
+    depth of the deepest crack.
+    """
+    rows = []
+    for group, states in recorded.wheels.items():
+        places, last = recorded.places(group), states[-1]
+        for index, layer in last.cracks.items():
+            left = places.largest(layer.damage, last.grid.lateral)
+            grown = places.largest(layer.damage_without_wear, last.grid.lateral)
+            for place in (*PLACES, *BANDS):
+                low, high = BANDS.get(place, (None, None))
+                rows.append(
+                    {
+                        "group": group,
+                        "index": index,
+                        "place": place,
+                        "from_mm": None if low is None else 1e3 * low,
+                        "to_mm": None if high is None else 1e3 * high,
+                        "miner": left[place],
+                        "miner_without_wear": grown[place],
+                        "crack_depth_mm": 1e3 * layer.failure_depth * left[place],
+                    }
+                )
+    return pyarrow.Table.from_pylist(rows)
+
+
+def profile_table(recorded: Recorded) -> pyarrow.Table:
+    """Wear and cracks of the present life over the profile, a row for each group and bin."""
+    found = []
+    for group, states in recorded.wheels.items():
+        last = states[-1]
+        layers = last.cracks
+        columns: dict[str, object] = {
+            "group": [group] * last.grid.count,
+            "y_mm": 1e3 * last.grid.lateral,
+            "worn_um": 1e6 * next(iter(layers.values())).worn,
+        }
+        for index, layer in layers.items():
+            columns[f"miner_{index}"] = layer.damage
+            columns[f"miner_without_wear_{index}"] = layer.damage_without_wear
+            columns[f"crack_depth_{index}_mm"] = 1e3 * layer.depth
+        found.append(pyarrow.table(columns))
+    return pyarrow.concat_tables(found)
+
+
+def steps_table(recorded: Recorded) -> pyarrow.Table:
+    """What every step took: distance, evaluations, cases run, not run again, failed; groups turned."""
+    ends = recorded.ends
+    return pyarrow.table(
+        {
+            "step": list(range(len(ends))),
+            "distance_km": [1e-3 * end.distance for end in ends],
+            "evaluations": [end.evaluations for end in ends],
+            "cases_run": [end.ran for end in ends],
+            "cases_not_run_again": [end.reused for end in ends],
+            "cases_failed": [len(end.failed) for end in ends],
+            "turned": [", ".join(str(row["group"]) for row in end.turned) for end in ends],
+        }
+    )
+
+
+def failures_table(recorded: Recorded) -> pyarrow.Table:
+    """Cases that failed and are left out, with their weights and reasons."""
+    failed = sorted({one for end in recorded.ends for one in end.failed})
+    names, weights, reasons = zip(*failed, strict=True) if failed else ((), (), ())
+    return pyarrow.table(
+        {
+            "case": pyarrow.array(names, pyarrow.string()),
+            "weight": pyarrow.array(weights, pyarrow.float64()),
+            "reason": pyarrow.array(reasons, pyarrow.string()),
+        }
+    )
+
+
+def _lives(recorded: Recorded, group: str) -> list[int]:
+    """Number of the life of a group at every step, from 1."""
+    starts: Mapping[float, int] = {
+        at: number
+        for number, at in enumerate(dict.fromkeys(one.turned_at for one in recorded.wheels[group]), 1)
+    }
+    return [starts[one.turned_at] for one in recorded.wheels[group]]
