@@ -282,7 +282,19 @@ class Collective:
         kinds = tuple((kind, place, members) for kind, members in group.kinds for place in places)
         return _Axes(geometries, kinds, gauges, seasons, running.speeds, running.hauls, shares)
 
-    def _of_group(self, running: Running, group: Group, replicate: int) -> Iterator[WeightedStratum]:
+    def _of_group(self, running: Running, group: Group, replicate: int) -> tuple[WeightedStratum, ...]:
+        """The strata of one sample of a group, made once."""
+        key = running.name, group.name, replicate
+        if key not in self._samples:
+            self._samples[key] = tuple(self._sample(running, group, replicate))
+        return self._samples[key]
+
+    @cached_property
+    def _samples(self) -> dict[tuple[str, str, int], tuple[WeightedStratum, ...]]:
+        """By running, group and replicate."""
+        return {}
+
+    def _sample(self, running: Running, group: Group, replicate: int) -> Iterator[WeightedStratum]:
         """The strata of one sample of a group."""
         axes = self._axes(running, group)
         for levels, share in self._cells(running, group, axes, replicate):
