@@ -168,8 +168,9 @@ class Collective:
     ) -> tuple[WeightedStratum, ...]:
         """The strata of one replicate with the whole weight: the cases of one evaluation of a loop.
 
-        Their irregularity and points are the same at every call (common random numbers), and their damage
-        differs from that of all replicates by the sampling error of one.
+        Their irregularity and points are the same at every call (common random numbers). Their damage differs
+        from that of all replicates by the sampling error of one: a loop that takes another replicate in every
+        step averages over these errors, one that takes the same keeps it (`nearest` chooses a good one).
 
         Parameters
         ----------
