@@ -19,13 +19,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from hh_exudyn.arrays import FloatArray, IntArray
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.campaign.collective.bought import Bought, ValuesOf
 from hh_exudyn.campaign.collective.collective import Collective, runs_of
 from hh_exudyn.campaign.collective.nearest import nearest_replicates
 from hh_exudyn.campaign.collective.plan import HALVED
 from hh_exudyn.campaign.collective.refinement import Refinement, refinement
-from hh_exudyn.campaign.collective.sampling import LEAST_SAMPLES, Estimates
+from hh_exudyn.campaign.collective.sampling import LEAST_SAMPLES, Estimates, samples_to_error
 
 _GROWTH = 0.25  # runs of a round, of all sampling runs before
 
@@ -144,16 +144,10 @@ class _Round:
 
     def place(self, allowed: FloatArray, runs: int, confidence: float) -> None:
         """More replicates for at most so many runs, or until the error would be reached."""
-        known, spent = self.known, 0.0
         cost = np.array([self.cost[unit] for unit in self.units])
-        while not np.all(known.half_width(confidence) <= allowed):
-            gain = np.where(spent + cost <= runs, known.gains(allowed) / cost, -1.0)
-            best = int(np.argmax(gain))
-            if gain[best] <= 0.0:
-                break
-            spent += cost[best]
-            known = known.with_samples(known.count + _one_more(best, len(cost)))
-        self.counts = {unit: int(n) for unit, n in zip(self.units, known.count, strict=True)}
+        more = samples_to_error(self.known, allowed, runs, confidence, cost)
+        count = self.known.count + more
+        self.counts = {unit: int(n) for unit, n in zip(self.units, count, strict=True)}
 
 
 def size(
@@ -248,10 +242,3 @@ def _reference(quantities: Sequence[Quantity], total: FloatArray) -> FloatArray:
     return np.array(
         [families[q.family] if q.family else value for q, value in zip(quantities, size, strict=True)]
     )
-
-
-def _one_more(index: int, count: int) -> IntArray:
-    """One sample more in one unit."""
-    found: IntArray = np.zeros(count, dtype=np.int64)
-    found[index] = 1
-    return found
