@@ -78,7 +78,8 @@ def evolve(
     radius
         At its running circle [m].
     wear_of
-        Wear of a wheel with the given profile: called once a step, with a `StepTolerance` twice or more.
+        Wear of a wheel with the given profile: called once a step; with a `StepTolerance` once a try and once
+        at the start, from which the next step begins with the wear of the last try.
     distance
         At the end, from the start [m], >= 0.
     directory
