@@ -109,6 +109,16 @@ class DamageModel:
         return math.inf if hardness is None else DRY.seizure_ratio * hardness
 
     @property
+    def rail_seizure_pressure(self) -> float:
+        """The same for the rails: of the softer body [Pa]; infinite without rails."""
+        if self.rails is None:
+            return math.inf
+        if self.rails.wear.name == "archard":
+            return read_archard(np.array(self.rails.wear.numbers)).map.seizure_pressure
+        hardness = self.rails.material.hardness
+        return min(self.seizure_pressure, math.inf if hardness is None else DRY.seizure_ratio * hardness)
+
+    @property
     def limits(self) -> BurstowLimits:
         """Burstow's thresholds for the kernels."""
         return _NOTHING_WIPED if self.burstow is None else self.burstow.values

@@ -7,6 +7,7 @@
 `side`          kernel: a patch that was solved for the wheel is added to its rail
 `pieces`        rows of a log by stretch and rail; their sums
 `report`        `RailReport`: a row for each rail of each stretch, per million gross tonnes
+`stored`        sums of rails in files
 ==============  ==================================================================================
 
 Wear of the rail by the same law as the wheel's. A strip of the patch of width w wears off the volume

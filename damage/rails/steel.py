@@ -31,8 +31,8 @@ def rail_law(law: WearLaw, wheel: WheelMaterial, rail: WheelMaterial) -> WearLaw
     """The wear law of a rail, from that of the wheels.
 
     Archard's takes the rail's hardness, and its coefficients ``coefficient_ratio`` of ``wear.toml``; seizure
-    begins where the softer of both seizes. A law whose hardness the caller named, and one without, is the same
-    for both bodies. Only Archard's has been set up for two bodies; the energy laws were fitted on wheels.
+    begins where the softer of both seizes. A law whose hardness the caller named, and one without, is the
+    same for both bodies: the energy laws were fitted on wheels.
 
     Parameters
     ----------

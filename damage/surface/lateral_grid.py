@@ -23,7 +23,7 @@ _MARGIN = 0.010  # of bins beyond the ends of a profile: an equivalent ellipse m
 
 
 class PlaceTable(NamedTuple):
-    """Coordinate of a grid over the lateral one, for kernels; empty for a grid over the lateral one itself."""
+    """Coordinate of a grid over the lateral one, for kernels; empty where they are the same."""
 
     y: FloatArray  # (n,) increasing [m]
     coordinate: FloatArray  # (n,) [m]
