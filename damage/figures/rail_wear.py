@@ -38,7 +38,7 @@ def rail_wear_figure(report: RailReport) -> Figure:
     figure.supylabel("wear depth [mm per 100 MGT]", fontsize=9)
     figure.supxlabel("place on the rail profile [mm], seen forwards along the track", fontsize=9)
     handles, labels = axes[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=2, frameon=False, fontsize=8)
+    figure.legend(handles, labels, loc="outside upper left", ncols=2, frameon=False, fontsize=8)
     return figure
 
 
@@ -54,7 +54,7 @@ def _panel(axes: Axes, report: RailReport, placed: PlacedRails, rail: RailSurfac
     ):
         axes.fill_between(y, bottom, bottom + depth, step="mid", color=colour, linewidth=0, label=name)
     highest = float((head + gauge).max())
-    top = 1.35 * highest if highest > 0.0 else 1.0
+    top = 1.5 * highest if highest > 0.0 else 1.0
     profile = place.profile(rail.side)
     shown = profile.z > profile.z.max() - _DEPTH
     across = forwards * profile.y[shown] * 1e3

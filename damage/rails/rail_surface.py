@@ -9,6 +9,7 @@ tonne.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -151,7 +152,7 @@ class RailSurface:
                 "passing of the whole vehicle"
             )
         factor = PASSED_LENGTH / self.rolled
-        sums = {
+        sums: dict[str, Any] = {
             one.name: factor.reshape(-1, *[1] * (values.ndim - 1)) * values
             for one in fields(self.by_wheel)
             if isinstance(values := getattr(self.by_wheel, one.name), np.ndarray)

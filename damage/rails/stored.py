@@ -62,7 +62,7 @@ def rail_of(header: Mapping[str, Any], arrays: Mapping[str, NDArray[Any]], sourc
     by_wheel = surface_of(header, arrays, source)
     try:
         empty = RailSurface.zero(int(header["rail"]), by_wheel.wheels, by_wheel.grid, by_wheel.patch_grid)
-        own = {name: np.asarray(arrays[name]) for name in ("whole_life", "rolled")}
+        own: dict[str, Any] = {name: np.asarray(arrays[name]) for name in ("whole_life", "rolled")}
         if any(values.shape != getattr(empty, name).shape for name, values in own.items()):
             raise ValueError("arrays that do not fit its wheels and bins")
         return replace(empty, by_wheel=by_wheel, mass=float(header["mass"]), **own)

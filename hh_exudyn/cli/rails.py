@@ -25,7 +25,6 @@ _COLUMNS = {  # column of the file: heading, factor
     "wear_mm_per_MGT": ("wear [mm]", 100.0),
     "wear_y_mm": ("at\u00a0y [mm]", 1.0),
     "worn_area_mm2_per_MGT": ("area [mm²]", 100.0),
-    "wear_seizure_share": ("seizure [%]", 100.0),
     "beyond_shakedown_share": ("RCF passings [%]", 100.0),
     "miner_per_MGT": ("Miner\u00a0[-]", 100.0),
     "rcf_per_MGT": ("RCF\u00a0[-]", 100.0),
