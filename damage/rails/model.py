@@ -66,7 +66,8 @@ class RailModel:
         (`damage.rails.steel.rail_law`).
     whole_life
         Damage function over the wear number, per passing of a wheel. Burstow's was fitted on R220 in
-        Britain; for no other steel are turning points known here.
+        Britain; for no other steel are turning points known here. The direction of the traction does not
+        count, nor what the vehicle's other wheels do at the same place.
 
     Raises
     ------

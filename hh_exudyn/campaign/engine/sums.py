@@ -26,7 +26,8 @@ class DamageSums:
         weights do not change them, and of sums they are the larger ones.
     rails
         Left and right rail of a part of the track, passed once by the vehicle; empty where they are not
-        wanted. Sums of several cases on one class of curves give the damage of that class per gross tonne.
+        wanted. Sums over the cases of one class of curves and one hand give that class's damage per gross
+        tonne: every metre of rail belongs to one of them, so classes are not added.
     """
 
     surfaces: tuple[WheelSurface, ...]
