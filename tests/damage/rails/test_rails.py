@@ -9,6 +9,7 @@ import numpy as np
 import pyarrow
 import pytest
 
+from damage.figures.rail_wear import MOST_PLACES, rail_wear_figure
 from damage.log_input.output_clock import output_clock
 from damage.log_input.states import RAIL_COLUMNS
 from damage.model import DamageModel
@@ -260,6 +261,20 @@ def test_report_names_rails_and_says_what_is_seized(report: DamageReport) -> Non
     both = bins["head_wear_mm_per_MGT"].to_numpy() + bins["gauge_wear_mm_per_MGT"].to_numpy()
     low = bins["rail"].to_numpy() == "low"
     np.testing.assert_allclose(both[low], rail.depth_per_mgt * 1e3)
+
+
+def test_figure_has_a_panel_for_each_rail(report: DamageReport) -> None:
+    """Of many stretches those that wear most; the gauge face of the left rail is on its right."""
+    found = reported(report)
+    panels = rail_wear_figure(found).axes
+    assert [panel.get_title(loc="left").split(": ")[1] for panel in panels] == ["low rail", "high rail"]
+    for panel, rail, forwards in zip(panels, found.found[0].pair, (1.0, -1.0), strict=True):
+        highest = 100.0 * rail.depth_per_mgt.max() * 1e3
+        assert panel.texts[0].get_text().startswith(f"max {highest:.3g}, ")
+        outline = np.asarray(panel.lines[-1].get_xdata())
+        assert outline[0] * forwards < 0.0 < outline[-1] * forwards
+    many = replace(found, found=found.found * 6)
+    assert len(rail_wear_figure(many).axes) == 2 * MOST_PLACES
 
 
 def test_bad_input(log: pyarrow.Table, report: DamageReport) -> None:
