@@ -91,7 +91,8 @@ class DamageSettings:
     cells
         Cells of a patch along and across [-].
     rails
-        Whether the rails are summed beside the wheels, for cases with parts: some 40 % more work.
+        Whether the rails are summed beside the wheels, for cases with parts: 0.2 % of a case's time, and a
+        result larger by half.
     rail_material
         Rail steel (`damage.rails.steel.rail_material`).
     """
@@ -101,7 +102,7 @@ class DamageSettings:
     normal: str | None = None
     theory: str | None = None
     cells: tuple[int, int] = (50, 50)
-    rails: bool = False
+    rails: bool = True
     rail_material: str = "R260"
 
 

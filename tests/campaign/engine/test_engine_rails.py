@@ -11,7 +11,7 @@ from hh_exudyn.campaign.engine.sums import DamageSums, from_bytes, to_bytes
 from hh_exudyn.case import Case, StraightCase, TrackCase
 from hh_exudyn.log.channels import LOGS
 
-SETTINGS = DamageSettings(normal="ellipse", theory="fastsim", cells=(10, 10), rails=True)
+SETTINGS = DamageSettings(normal="ellipse", theory="fastsim", cells=(10, 10))
 PARTS = (Part("first", 20.0, 26.0), Part("second", 26.0, 38.0))
 STEADY = {
     "rolling_radius": 0.4575, "normal_force": 1e5, "a": 7e-3, "b": 5e-3, "p_max": 1.36e9, "friction": 0.4,
