@@ -210,6 +210,7 @@ class _Loop:
             plan, plan.of_steps.cases(), folder, workers, campaign.directory, self._of_cases, evaluate
         )
         self._made: list[Evaluated] = []
+        self._latest: Evaluated | None = None  # of the step before: its rates begin the next one
         self._distance = self._first = 0.0
         self._number = 0
 
@@ -221,7 +222,7 @@ class _Loop:
         wheels = files.conditions(self._number)
         if end.turned:
             wheels = self._turned(files.conditions(self._number - 1), wheels, start)[0]
-        self._evaluation.go_on(end.evaluation)
+        self._latest = self._evaluation.go_on(end.evaluation) if end.evaluation else None
         self._distance = self._first = end.distance
         while self._goal - self._distance > _LAST * self._goal:
             self._number += 1
@@ -243,7 +244,9 @@ class _Loop:
 
         now = tuple(condition.step for condition in wheels.values())
         steps = tolerated_steps(now, groups, wear_of, self._goal, plan.step, ConicityTrack())
-        first, last = self._made[0].rates, self._made[-1].rates
+        begun = self._latest if all(step.next_rate is not None for step in now) else None
+        first, last = (begun or self._made[0]).rates, self._made[-1].rates
+        self._latest = self._made[-1]
         return {
             group: after_step(wheels[group], step, first[group], last[group])
             for group, step in zip(groups, steps, strict=True)
@@ -271,7 +274,7 @@ class _Loop:
         made = self._made
         failed = {one for evaluated in made for one in evaluated.failed}
         return StepEnd(
-            self._distance, made[-1].digest, made[0].digest, len(made),
+            self._distance, made[-1].digest, len(made),
             sum(one.ran for one in made), sum(one.reused for one in made), tuple(sorted(failed)),
             turned_rows,
         )  # fmt: skip

@@ -12,6 +12,7 @@ import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from hh_exudyn.campaign.collective.films import wear_films
 from hh_exudyn.campaign.collective.weighted import WeightedCase
@@ -107,9 +108,16 @@ class Evaluation:
         self._rates: dict[tuple[str, str], Mapping[str, GroupRates]] = {}
         self._made: dict[tuple[object, ...], Task] = {}
 
-    def go_on(self, digest: str) -> None:
-        """Remember what the evaluation of a record had run, as if it had just been made; "" for none."""
-        self._last = self._record(digest) or {}
+    def go_on(self, digest: str) -> Evaluated | None:
+        """The evaluation of a record, as if it had just been made; None where there is no such record.
+
+        Parameters
+        ----------
+        digest
+            `Evaluated.digest`.
+        """
+        content = self._content(digest)
+        return None if content is None else self._evaluated(digest, content["profiles"])
 
     def __call__(self, profiles: GroupProfiles) -> Evaluated:
         """The rates for profiles by group.
@@ -122,7 +130,11 @@ class Evaluation:
             As `evaluate_all`; what was run is kept.
         """
         digests = {group: self.profiles.put(profile) for group, profile in sorted(profiles.items())}
-        digest = hashlib.sha256(json.dumps(digests, sort_keys=True).encode()).hexdigest()[:16]
+        text = json.dumps(digests, sort_keys=True)
+        return self._evaluated(hashlib.sha256(text.encode()).hexdigest()[:16], digests)
+
+    def _evaluated(self, digest: str, digests: Mapping[str, str]) -> Evaluated:
+        """The evaluation of profiles by group, recorded or new."""
         recorded = self._record(digest)
         found = recorded if recorded is not None else self._planned(digests)
         self._evaluate_missing(found)
@@ -232,11 +244,18 @@ class Evaluation:
             self._rates[key, slot.name] = rates_of_case(sums, slot.weighted, slot.vehicle, slot.groups)
         return self._rates[key, slot.name]
 
-    def _record(self, digest: str) -> dict[str, LastRun] | None:
-        """Results of an evaluation by slot; None where it was not made, or not to its end."""
+    def _content(self, digest: str) -> dict[str, Any] | None:
+        """What the record of an evaluation holds; None where it was not made, or not to its end."""
         try:
-            content = json.loads((self._records / f"{digest}.json").read_text(encoding="utf-8"))
+            found: dict[str, Any] = json.loads((self._records / f"{digest}.json").read_text(encoding="utf-8"))
         except FileNotFoundError:
+            return None
+        return found
+
+    def _record(self, digest: str) -> dict[str, LastRun] | None:
+        """Results of an evaluation by slot."""
+        content = self._content(digest)
+        if content is None:
             return None
         return {name: LastRun(one["key"], one["profiles"]) for name, one in content["cases"].items()}
 
