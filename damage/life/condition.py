@@ -192,6 +192,7 @@ class WheelCondition:
                 measures=WheelMeasures(
                     **{name: arrays[f"measure_{name}"].item() for name in WheelMeasures.__annotations__}
                 ),
+                next_rate=arrays.get("next_rate"),
                 **{name: arrays[f"step_{name}"].item() for name in _NUMBERS},
             )
             cracks = {
