@@ -19,11 +19,14 @@ from damage.evolution.measures import ConicityTrack
 from damage.evolution.profile_wear import ProfileWear
 from damage.evolution.tolerance import tolerated_steps
 from damage.life.condition import WheelCondition
+from damage.life.places import WheelPlaces
+from hh_exudyn.campaign.collective.sizing import Sizing
 from hh_exudyn.campaign.engine.case_damage import code, evaluate_case
 from hh_exudyn.campaign.engine.mapping import Standing
 from hh_exudyn.campaign.engine.results import ResultFolder
 from hh_exudyn.campaign.engine.task import Evaluate
 from hh_exudyn.campaign.engine.workers import Workers
+from hh_exudyn.campaign.life.errors import sized, write_errors
 from hh_exudyn.campaign.life.evaluation import Evaluated, Evaluation
 from hh_exudyn.campaign.life.plan import CampaignPlan, campaign_of_text
 from hh_exudyn.campaign.life.steps import StepEnd, StepFiles
@@ -180,13 +183,54 @@ class Campaign:
             As the engine's; the campaign can be gone on with.
         """
         goal = self.plan.collective.plan.distance if distance is None else distance
-        name = hashlib.sha256(self._text.encode()).hexdigest()[:16]
-        with ResultFolder(self.directory / RESULTS, name, code()) as folder:
+        with self._results() as folder:
             try:
                 _Loop(self, folder, workers, goal, clock.monotonic() + budget, progress, evaluate).run()
             except BudgetSpent:
                 return False
         return True
+
+    def size(
+        self, workers: Workers, runs: int, error: float = 0.05,
+        progress: Callable[[Standing], None] | None = None, evaluate: Evaluate = evaluate_case,
+    ) -> Sizing:  # fmt: skip
+        """The error of the rates at the last step, with a budget of cases; `show` and `status` state it.
+
+        Parameters
+        ----------
+        workers
+            Where cases run.
+        runs
+            Most cases [-].
+        error
+            Relative half width at which buying ends [-].
+        progress, evaluate
+            As `Evaluation`.
+
+        Raises
+        ------
+        ValueError
+            No step has been made yet, or a budget too small for three samples.
+        FileExistsError, TooManyFailed, EngineStopped, OSError, KeyboardInterrupt, Terminated
+            As `run`.
+        """
+        if self.files.count == 0:
+            raise ValueError(f"{self.directory}: no step has been made yet; run the campaign first")
+        start, wheels = self.start(), self.files.conditions(self.files.count - 1)
+        profiles = {group: condition.step.profile for group, condition in wheels.items()}
+        places = {group: WheelPlaces.of(start[group].step.profile) for group in wheels}
+        with self._results() as folder:
+            evaluation = Evaluation(
+                self.plan, self.plan.of_steps.cases(), folder, workers, self.directory, progress, evaluate
+            )
+            found = sized(evaluation, profiles, places, runs, error)
+        write_errors(self.directory, found, self.files.ends()[-1].distance)
+        return found
+
+    def _results(self) -> ResultFolder:
+        """The folder of results of this file and this code."""
+        name = hashlib.sha256(self._text.encode()).hexdigest()[:16]
+        return ResultFolder(self.directory / RESULTS, name, code())
 
     def start(self) -> dict[str, WheelCondition]:
         """The wheels before the first step, by group."""

@@ -99,7 +99,7 @@ class Evaluation:
         directory: Path, progress: Callable[[Standing], None] | None = None,
         evaluate: Evaluate = evaluate_case,
     ) -> None:  # fmt: skip
-        self._plan, self._folder, self._workers = plan, folder, workers
+        self.plan, self._folder, self._workers = plan, folder, workers
         self._records, self._progress = directory / EVALUATIONS, progress
         self.profiles = ProfileFiles(directory / PROFILES)
         self._evaluate = evaluate
@@ -149,6 +149,36 @@ class Evaluation:
         }
         return Evaluated(digest, rates, rows, ran, len(found) - ran, self._failed(found))
 
+    def rates_of_cases(
+        self, cases: Sequence[WeightedCase], profiles: GroupProfiles
+    ) -> list[Mapping[str, GroupRates]]:
+        """Rates of other cases than those of the steps, for profiles by group.
+
+        Parameters
+        ----------
+        cases
+            Of the campaign's collective, such as further samples.
+        profiles
+            By group.
+
+        Raises
+        ------
+        TooManyFailed
+            One of them has no result: an error cannot be told without.
+        ValueError, EngineStopped, OSError, KeyboardInterrupt, Terminated
+            As a call.
+        """
+        digests = {group: self.profiles.put(profile) for group, profile in sorted(profiles.items())}
+        slots = [_slot(self.plan, weighted) for weighted in cases]
+        tasks = {}
+        for slot in slots:
+            own = {group: digests[group] for group in sorted(set(slot.groups.values()))}
+            tasks[slot.name] = self._task(slot, own)
+        evaluate_all(
+            list(tasks.values()), self._evaluate, self._folder, self._workers, progress=self._progress
+        )
+        return [self._rates_of(slot, tasks[slot.name].key) for slot in slots]
+
     def _evaluate_missing(self, found: Mapping[str, LastRun]) -> None:
         """Evaluate what has no result yet; raises TooManyFailed for more weight than is allowed."""
         wanted = {}
@@ -161,7 +191,7 @@ class Evaluation:
             failing_weight=1.0, progress=self._progress,
         )  # fmt: skip
         failed = self._failed(found)
-        lost, allowed = sum(weight for _, weight, _ in failed), self._plan.failing_weight
+        lost, allowed = sum(weight for _, weight, _ in failed), self.plan.failing_weight
         if lost > allowed * (1.0 + 1e-9):
             named = "; ".join(f"{name} (weight {weight:.3g}): {reason}" for name, weight, reason in failed)
             raise TooManyFailed(
@@ -201,11 +231,11 @@ class Evaluation:
         """Whether the result of a last run stands for other profiles; of a failed case only for its own."""
         if dict(last.profiles) == dict(own):
             return True
-        if self._plan.unmoved == 0.0 or self._folder.failure(last.key) is not None:
+        if self.plan.unmoved == 0.0 or self._folder.failure(last.key) is not None:
             return False
         before = {group: self.profiles.read(digest) for group, digest in last.profiles.items()}
         now = {group: self.profiles.read(digest) for group, digest in own.items()}
-        return not has_moved(before, now, self._rates_of(slot, last.key), self._plan.unmoved)
+        return not has_moved(before, now, self._rates_of(slot, last.key), self.plan.unmoved)
 
     def _task(self, slot: _Slot, digests: Mapping[str, str]) -> Task:
         """The task of a slot with given profiles of its groups; making one takes some 0.1 s."""
@@ -226,7 +256,7 @@ class Evaluation:
         case = weighted.case.with_changes(wheel_profiles=wheels)
         parts = tuple(Part(part.name, part.start, part.end) for part in weighted.parts)
         films = wear_films(weighted.case, weighted.films)
-        return CaseWork(case, parts, self._plan.damage, films, scratch=self._folder.scratch)
+        return CaseWork(case, parts, self.plan.damage, films, scratch=self._folder.scratch)
 
     def _rows(self, found: Mapping[str, LastRun]) -> list[tuple[WeightedCase, Mapping[str, GroupRates]]]:
         """Rates of all weighted cases that have a result."""
