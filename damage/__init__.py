@@ -1,4 +1,4 @@
-"""From contact log to damage: wear depth and rolling contact fatigue on the wheel.
+"""From contact log to damage: wear depth and rolling contact fatigue on wheels and rails.
 
 Start with `damage.report.assess`, which takes a run, files, a table or arrays.
 
@@ -14,6 +14,7 @@ Start with `damage.report.assess`, which takes a run, files, a table or arrays.
 `bounds`        checks of numbers against their bounds
 `log_input`     the contact log, checked, each row with its output interval
 `surface`       sums over contact states on a grid fixed to the wheel profile
+`rails`         the same sums for the rails, per gross tonne
 `wear`          wear laws, wear number
 `rcf`           rolling contact fatigue: indices, counts, cracks, ratchetting, cracks with wear
 `shakedown`     shakedown limits of line and point contact, working points

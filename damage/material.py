@@ -1,6 +1,7 @@
-"""Wheel steels: strengths and elastic constants.
+"""Steels of wheels and rails: strengths and elastic constants.
 
-The numbers of the grades stand with their sources in ``damage/data/materials.toml``: `material_parameters`.
+The numbers of the wheel steels stand with their sources in ``damage/data/materials.toml``
+(`material_parameters`); those of the rails, of the same form, belong to `damage.rails.steel`.
 """
 
 import math
@@ -32,7 +33,7 @@ _PASCAL = {"MPa": 1e6, "HB": 9.80665e6}  # Brinell hardness is in kgf/mm^2
 
 @dataclass(frozen=True)
 class WheelMaterial:
-    """A wheel steel.
+    """A steel of wheels or rails.
 
     Unknown strengths are None; a model that needs one raises ValueError.
 
@@ -140,7 +141,30 @@ def material_parameters(name: str) -> dict[str, Parameter]:
 
 def wheel_material(name: str) -> WheelMaterial:
     """The grade of that name. Raises ValueError for an unknown one (lists the known)."""
-    numbers = {quantity: x.value * _PASCAL[x.unit] for quantity, x in material_parameters(name).items()}
+    return named_material(name, "materials", "wheel")
+
+
+def named_material(name: str, file: str, of: str) -> WheelMaterial:
+    """A steel of one of the files of steels.
+
+    Parameters
+    ----------
+    name
+        Of the grade.
+    file
+        In ``damage/data``, without its ending.
+    of
+        "wheel" or "rail", for messages.
+
+    Raises
+    ------
+    ValueError
+        An unknown grade (lists the known).
+    """
+    known = table_names(file)
+    if name not in known:
+        raise ValueError(f"{of} material {name!r} is not known; known: {', '.join(known)}")
+    numbers = {quantity: x.value * _PASCAL[x.unit] for quantity, x in parameters(file, name).items()}
     return WheelMaterial(
         name,
         numbers.get("yield_strength"),

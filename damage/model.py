@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from damage.material import ER7, WheelMaterial
+from damage.rails.model import RailModel
 from damage.rcf.burstow import Burstow, BurstowLimits
 from damage.rcf.surface_index import FLANGE_CONTACT_ANGLE
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
@@ -54,6 +55,8 @@ class DamageModel:
         coefficients that knows those of lubricated surfaces; for another law they are dry.
     wheels
         Vehicle, wheelset and side of the wheels that are summed, those of one profile; None for all.
+    rails
+        Rails that are summed beside the wheels; None for none.
 
     Raises
     ------
@@ -75,8 +78,11 @@ class DamageModel:
     burstow: Burstow | None = None
     films: WearFilms | None = field(default=None, compare=False, repr=False)
     wheels: frozenset[tuple[int, int, int]] | None = None
+    rails: RailModel | None = None
 
     def __post_init__(self) -> None:
+        if self.rails is not None:
+            object.__setattr__(self, "rails", self.rails.with_law(self.law, self.material))
         object.__setattr__(self, "law", self.law.on(self.material.hardness))
         if self.films is not None and not self.law.with_films:
             object.__setattr__(self, "films", self.films.without())
@@ -101,6 +107,16 @@ class DamageModel:
             return read_archard(np.array(self.law.numbers)).map.seizure_pressure
         hardness = self.material.hardness
         return math.inf if hardness is None else DRY.seizure_ratio * hardness
+
+    @property
+    def rail_seizure_pressure(self) -> float:
+        """The same for the rails: of the softer body [Pa]; infinite without rails."""
+        if self.rails is None:
+            return math.inf
+        if self.rails.wear.name == "archard":
+            return read_archard(np.array(self.rails.wear.numbers)).map.seizure_pressure
+        hardness = self.rails.material.hardness
+        return min(self.seizure_pressure, math.inf if hardness is None else DRY.seizure_ratio * hardness)
 
     @property
     def limits(self) -> BurstowLimits:

@@ -14,9 +14,11 @@ from damage.log_input.contact_source import ContactSource, run_of
 from damage.material import ER7, WheelMaterial
 from damage.model import DamageModel
 from damage.patch_strips import FLANGE, TREAD
+from damage.rails.model import RailModel
+from damage.rails.pieces import RailPair
 from damage.rcf.burstow import Burstow
 from damage.rcf.surface_index import FLANGE_CONTACT_ANGLE
-from damage.surface.accumulate import Progress, accumulate
+from damage.surface.accumulate import Progress, accumulate_both
 from damage.surface.lateral_grid import LateralGrid, PatchGrid
 from damage.surface.normal_contact import chosen_contact
 from damage.surface.wheel_surface import DEFAULT_PATCH_GRID, WheelSurface
@@ -63,6 +65,8 @@ class DamageReport:
         Wall time per contact state [s], of this machine.
     ending
         "finished", or why the run ended early; empty for a log without a run.
+    rails
+        Left and right rail of each stretch that the model names, as summed; `damage.rails.report` goes on.
     """
 
     surface: WheelSurface
@@ -70,6 +74,7 @@ class DamageReport:
     bad_rows: BadRows
     seconds_per_state: float
     ending: str = ""
+    rails: tuple[RailPair, ...] = ()
 
     @property
     def normal_contact(self) -> str:
@@ -200,13 +205,14 @@ def assess(
     films: WearFilms | None = None,
     unfinished: bool = False,
     wheels: Iterable[tuple[int, int, int]] | None = None,
+    rails: RailModel | None = None,
 ) -> DamageReport:
-    """Wear and rolling contact fatigue of all wheels of a run.
+    """Wear and rolling contact fatigue of all wheels of a run, and of its rails where they are asked for.
 
     Every contact state is solved again on a fine grid for its stresses and slip: by the strips of the run
     where its contact is given and was that of coupled strips, else by the equivalent ellipse of the log.
 
-    Nineteen arguments: settings of `damage.model.DamageModel` from `material` on, each with a default, so
+    Twenty arguments: settings of `damage.model.DamageModel` from `material` on, each with a default, so
     that a call names only those that differ.
 
     Parameters
@@ -257,6 +263,8 @@ def assess(
     wheels
         Vehicle, wheelset and side (+1 left, -1 right) of the wheels that are assessed; None for all. Wheels
         of other profiles need reports of their own.
+    rails
+        Stretches of track whose rails are summed too, in the same pass; None for none.
 
     Raises
     ------
@@ -264,7 +272,8 @@ def assess(
         There is no such run or file.
     ValueError
         Unknown theory or normal contact, a choice that does not go together, missing columns, bad rows,
-        patches beyond the grid, both a grid and a profile, a run that does not move, or one that ended early.
+        patches beyond the grid, both a grid and a profile, a rail's profile, a run that does not move, or
+        one that ended early.
     """
     end = ""
     if (run := run_of(source)) is not None:
@@ -273,6 +282,8 @@ def assess(
         raise ValueError(
             "both a grid and a profile were given; LateralGrid.along(profile) is the grid of one"
         )
+    if profile is not None and profile.kind != "wheel":
+        raise ValueError(f"profile {profile.name!r} is a {profile.kind}'s; damage needs a wheel's")
     if grid is None:
         grid = LateralGrid() if profile is None else LateralGrid.along(profile)
     if burstow is None and material.yield_strength and material.tensile_strength:
@@ -280,15 +291,16 @@ def assess(
     normal, theory = chosen_contact(normal, theory, contact)
     model = DamageModel(
         material, law, theory, normal, contact, pressure_limit, cells, flange_angle, grid, patch_grid,
-        burstow, films, None if wheels is None else frozenset(wheels),
+        burstow, films, None if wheels is None else frozenset(wheels), rails,
     )  # fmt: skip
     bad_rows = BadRows()
     start = time.perf_counter()
     skipped = bad_rows if skip_bad_rows else None
-    surface = accumulate(source, model, threads=threads, bad_rows=skipped, progress=progress)
+    sums = accumulate_both(source, model, threads=threads, bad_rows=skipped, progress=progress)
+    surface = sums.wheels
     wall = time.perf_counter() - start
     if surface.rows == 0:
         raise ValueError(f"the contact log has no good rows: {bad_rows}")
     if surface.distance <= 0.0:
         raise ValueError("the run does not move: wear per distance has no meaning")
-    return DamageReport(surface, model, bad_rows, wall / surface.rows, end)
+    return DamageReport(surface, model, bad_rows, wall / surface.rows, end, sums.rails)

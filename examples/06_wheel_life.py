@@ -43,7 +43,8 @@ def wear_of(wheel: Profile) -> ProfileWear:
             end = log.filter(pc.greater(log["time"], pc.max(log["time"]).as_py() - 80.0 / kind.speed))
             parts.append(share[kind] * assess(end, cells=(32, 16), profile=wheel).surface.scaled(1.0))
     dry = mean_wear(sum(parts))
-    film = np.where(dry.y > 0.020, 100.0, 6.0)  # divides the wear: greased flange; lubricated tread
+    flange = np.clip((dry.y - 0.010) / 0.025, 0.0, 1.0)
+    film = 6.0 * (100.0 / 6.0) ** flange  # divides the wear: lubricated tread, greased flange
     wear = ProfileWear(dry.y, dry.depth_per_km / film, dry.pressure)
     for place, low, high in (("circle", -0.005, 0.005), ("tread", -0.04, 0.02), ("flange", 0.02, 0.06)):
         print(f"{wheel.name}, {place}: {1e9 * wear.at(np.linspace(low, high, 99)).max():.1f} um per 1000 km")

@@ -58,6 +58,8 @@ Damage
     FI, FI_surf, FI_sub     fatigue index: utilised friction beyond the shakedown limit; surface, subsurface
     H                       hardness [Pa]
     k                       yield strength in pure shear [Pa]; also the wear coefficient of Archard's law
+    high rail, low rail     outer and inner rail of a curve
+    MGT                     million gross tonnes, the mass of all that passes a rail: 1e9 kg
     Miner's sum             sum of the damage of all load cycles, failure at 1
     ratchetting             growth of plastic shear with every passage, beyond the shakedown limit
     RCF                     rolling contact fatigue; RCF number: revolutions with SI > 0 at a place

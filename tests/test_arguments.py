@@ -12,7 +12,7 @@ PUBLIC, KERNEL = 8, 10  # arguments that need no reason
 KERNELS = {"kernel", "inlined_kernel"}
 WORDS = (
     "nine", "ten", "eleven", "twelve", "thirteen", "fourteen", "fifteen", "sixteen", "seventeen", "eighteen",
-    "nineteen",
+    "nineteen", "twenty",
 )  # fmt: skip
 REASON = r" arguments: \w+\W+\w+\W+\w+"  # three words at least
 

@@ -110,7 +110,7 @@ def test_wheel_life(tmp_path: Path) -> None:
     assert "WP4_like, flange: 0.0 um" in text
     assert {"profiles.png", "measures.png", "steps"} <= {path.name for path in tmp_path.iterdir()}
     again = run("06_wheel_life.py", tmp_path, 2, 1)
-    assert re.findall(r"^(.*), circle", again, re.MULTILINE) == ["WP4_like after 1 km"]
+    assert re.findall(r"^(.*), circle", again, re.MULTILINE) == ["WP4_like after 2.000 km, Euler"]
 
 
 @pytest.mark.slow

@@ -10,7 +10,7 @@
 `damage.evolution.worn_profile`        a step of wear on a profile: normal to it, smoothed, valid again
 `damage.evolution.measures`            flange measures, hollow and equivalent conicity of a profile
 `damage.evolution.loop`                `evolve`: steps until a distance is run, resumable
-`damage.evolution.tolerance`           steps of several wheels, sized by their error, or made again
+`damage.evolution.tolerance`           steps of wheels, one or several together, sized by their error
 `damage.evolution.step`                Euler and Heun with implicit diffusion of curvature; stability
 `damage.evolution.running_in`          distance and depth of the wear under seizure of an unworn wheel
 `damage.evolution.history`             the steps, on disk and as a table

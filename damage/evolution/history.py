@@ -10,7 +10,7 @@ import io
 import math
 import zipfile
 import zlib
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -18,10 +18,11 @@ import numpy as np
 import pyarrow
 
 from damage.evolution.measures import WheelMeasures
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.log.parts import write_whole
 
-_OF_ERROR = "pressure", "next_distance", "diffusivity"  # of steps that are sized by their error
+_OF_ERROR = "pressure", "next_distance", "sensitivity", "next_pressure"  # of steps sized by their error
 _PATTERN = "step-{:05d}.npz"
 
 
@@ -45,8 +46,12 @@ class WearStep:
         Largest contact pressure of the wear that begins this step [Pa]; NaN where it is not known.
     next_distance
         Length of the step that the error allows next [m]; NaN where steps are not sized by their error.
-    diffusivity
-        Change of the wear rate with curvature, measured in this step [m] (`damage.evolution.step`).
+    sensitivity
+        Change of the wear rate over itself with convex curvature, measured in this step [m]
+        (`damage.evolution.step`); NaN where it is not known.
+    next_rate, next_pressure
+        (n,) wear per distance at the profile's points [m/m], and largest contact pressure [Pa], as evaluated
+        last in this step, close to its end: the next step begins with them. None and NaN where it evaluates.
     """
 
     distance: float
@@ -56,7 +61,9 @@ class WearStep:
     measures: WheelMeasures
     pressure: float = math.nan
     next_distance: float = math.nan
-    diffusivity: float = 0.0
+    sensitivity: float = math.nan
+    next_rate: FloatArray | None = field(default=None, compare=False)
+    next_pressure: float = math.nan
 
 
 @dataclass(frozen=True)
@@ -112,6 +119,8 @@ def write_step(directory: Path, number: int, step: WearStep) -> None:
     numbers |= asdict(step.measures)
     arrays: dict[str, Any] = {key: np.array(value) for key, value in numbers.items()}
     arrays |= {"name": np.array(step.profile.name), "y": step.profile.y, "z": step.profile.z}
+    if step.next_rate is not None:
+        arrays["next_rate"] = step.next_rate
     write_whole(path, lambda stream: np.savez(stream, **arrays))
 
 
@@ -154,6 +163,7 @@ def _read_step(path: Path) -> WearStep:
             radius=float(values["radius"]),
             depth=float(values["depth"]),
             measures=measures,
+            next_rate=values.get("next_rate"),
             **{name: float(values[name]) for name in _OF_ERROR if name in values},
         )
     except (KeyError, ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error) as error:

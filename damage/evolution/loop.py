@@ -1,9 +1,9 @@
 """`evolve`: wear of a wheel profile, step by step, over a distance.
 
 The wear comes from the caller: `wear_of(profile)` may run simulations with the profile, or give a synthetic
-rate. A step ends at a largest depth of `StepControl.max_depth` or at the distance
-`StepControl.max_distance`, whichever comes first; then the profile is updated (T. Jendel, Prediction
-of wheel profile wear - comparisons with field measurements, Wear 253 (2002); Hossein-Nia 2018, figure 3-25).
+rate. A step is sized by its error (`StepTolerance`), or ends at a fixed depth or distance, whichever comes
+first (`StepControl`; T. Jendel, Prediction of wheel profile wear - comparisons with field measurements, Wear
+253 (2002); Hossein-Nia 2018, figure 3-25): 0.1 mm at once makes a notch on a new wheel in dry curves.
 """
 
 from collections.abc import Callable
@@ -78,13 +78,14 @@ def evolve(
     radius
         At its running circle [m].
     wear_of
-        Wear of a wheel with the given profile: called once a step, with a `StepTolerance` twice or more.
+        Wear of a wheel with the given profile: called at the start and once a try, with fixed limits once a
+        step.
     distance
         At the end, from the start [m], >= 0.
     directory
         Where the steps are written, one file each. One that holds steps of the same wheel is continued.
     control
-        Fixed limits of a step, or tolerances of its error; None takes the defaults of the limits.
+        Tolerances of a step's error, or fixed limits of a step; None takes the default tolerances.
     track
         For the equivalent conicity; None takes 60E1 1:30 at nominal gauge.
     progress
@@ -98,7 +99,7 @@ def evolve(
     """
     check_not_below_zero("distance", distance, "m")
     check_above_zero("radius", radius, "m")
-    directory, control, track = Path(directory), control or StepControl(), track or ConicityTrack()
+    directory, control, track = Path(directory), control or StepTolerance(), track or ConicityTrack()
     steps = list(read_history(directory).steps)
     if not steps:
         steps.append(WearStep(0.0, wheel, radius, 0.0, measure(wheel, radius, track)))

@@ -5,6 +5,9 @@ the change of the largest contact pressure from the start to Euler's profile, an
 conicity from the start to Heun's. A profile that folds over halves the step. The first step is so short that
 it wears by the tolerance of the profile.
 
+A try evaluates the wear once, on Euler's profile; the next step begins with that rate, so a step costs one
+evaluation (`damage.evolution.step`).
+
 Wheels that wear over the same distance, each with its own profile, make one common step: the largest of all
 their errors decides.
 """
@@ -12,6 +15,7 @@ their errors decides.
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -23,7 +27,7 @@ from damage.evolution.step import (
     diffused,
     euler_increment,
     heun_increment,
-    measured_diffusivity,
+    measured_sensitivity,
     not_below_zero,
 )
 from damage.evolution.worn_profile import worn_by
@@ -36,8 +40,10 @@ JointWearOf = Callable[[tuple[Profile, ...]], tuple[ProfileWear, ...]]
 
 _ROUNDS = 25  # tries of one step: halved so often, 1000 km are 30 mm
 _SAFETY, _SHORTER, _LONGER = 0.85, 0.2, 3.0  # of the next length: usual for embedded pairs
-_DIFFUSIVITY_SAFETY = 2.0  # the measured value is a mean over the profile
-_FORGOTTEN = 0.5  # a measured diffusivity falls by no more than this from step to step
+
+SENSITIVITY = 0.3, 1.0
+"""Bounds of d ln(rate)/d(curvature) [m]: assumed, range 0.1 .. 2. Where curvature changes most, on an unworn
+tread, it measures 0.3 to 0.5; later little is left to measure it by, which is no sign of its fall."""
 
 
 @dataclass(frozen=True)
@@ -136,8 +142,8 @@ def tolerated_steps(
     names
         Of the wheels, for the names of their profiles.
     wear_of
-        Wear of all wheels, in their order: called once at the start, on their profiles, and once a try. What
-        it raises ends the step.
+        Wear of all wheels, in their order: called once a try, on Euler's profiles, and before the first step
+        on the wheels' own. The last call is that of the accepted try. What it raises ends the step.
     distance
         At which the life ends: no step goes beyond it [m].
     control
@@ -151,8 +157,10 @@ def tolerated_steps(
         Wheels at several distances, another number of names or wears than wheels, or no step is short enough.
     """
     _check_together(now, names)
-    wears = _asked(wear_of, tuple(step.profile for step in now))
-    wheels = [_Wheel.at(*given, control) for given in zip(now, names, wears, strict=True)]
+    if any(step.next_rate is None for step in now):
+        wears = _asked(wear_of, tuple(step.profile for step in now))
+        now = tuple(_begun(step, wear, control) for step, wear in zip(now, wears, strict=True))
+    wheels = [_Wheel(*given) for given in zip(now, names, strict=True)]
     reached = now[0].distance
     way, left = min(*(wheel.first(control) for wheel in wheels), control.max_distance), distance - reached
     for _ in range(_ROUNDS):
@@ -179,7 +187,8 @@ def tolerated_steps(
         if worst.max() <= 1.0:
             ahead = max(ahead, wanted) if way < wanted else ahead
             return tuple(replace(step, next_distance=ahead) for step in steps)
-        wheels = [replace(w, diffusivity=step.diffusivity) for w, step in zip(wheels, steps, strict=True)]
+        now = tuple(replace(at, sensitivity=step.sensitivity) for at, step in zip(now, steps, strict=True))
+        wheels = [_Wheel(*given) for given in zip(now, names, strict=True)]
         refused, way = ValueError(f"errors over tolerances {', '.join(f'{x:.3g}' for x in worst)}"), ahead
     raise ValueError(
         f"wheel profile{'s' * (len(now) > 1)} {', '.join(repr(step.profile.name) for step in now)}: "
@@ -187,21 +196,32 @@ def tolerated_steps(
     )
 
 
+def _begun(now: WearStep, wear: ProfileWear, control: StepTolerance) -> WearStep:
+    """A wheel with the wear that its next step begins with."""
+    rate = filtered_rate(now.profile, wear, control.filter_length)
+    return replace(now, next_rate=rate, next_pressure=wear.pressure)
+
+
 @dataclass(frozen=True, eq=False)
 class _Wheel:
-    """A wheel at the start of a step: the wear there, its filtered rate, and the diffusivity known so far."""
+    """A wheel at the start of a step, with its wear there."""
 
     now: WearStep
     name: str
-    wear: ProfileWear
-    s: FloatArray
-    rate: FloatArray
-    diffusivity: float
 
-    @classmethod
-    def at(cls, now: WearStep, name: str, wear: ProfileWear, control: StepTolerance) -> "_Wheel":
-        rate = filtered_rate(now.profile, wear, control.filter_length)
-        return cls(now, name, wear, arc_length(now.profile.y, now.profile.z), rate, now.diffusivity)
+    @cached_property
+    def s(self) -> FloatArray:
+        return arc_length(self.now.profile.y, self.now.profile.z)
+
+    @property
+    def rate(self) -> FloatArray:
+        assert self.now.next_rate is not None
+        return self.now.next_rate
+
+    @property
+    def diffusivity(self) -> FloatArray:
+        """(n,) D over the arc [m]."""
+        return np.fmax(self.now.sensitivity, SENSITIVITY[0]) * self.rate
 
     def first(self, control: StepTolerance) -> float:
         """The length to try first [m]: that of the step before, or one that wears by the tolerance."""
@@ -231,16 +251,18 @@ class _Wheel:
         profile, lost = worn_by(self.now.profile, depth, way, self.title(end))
         radius = self.now.radius - lost
         measures = measure(profile, radius, track)
-        found = measured_diffusivity(self.s, euler, self.rate, rate_after, control.filter_length)
-        diffusivity = max(_DIFFUSIVITY_SAFETY * found, _FORGOTTEN * self.diffusivity)
-        before = self.wear.pressure
+        found = measured_sensitivity(self.s, euler, self.rate, rate_after, control.filter_length)
+        before, now_after = self.now.next_pressure, wear_after.pressure
         shares = _shares(
             float(np.abs(depth - euler).max()) / control.profile,
-            abs(wear_after.pressure / before - 1.0) / control.pressure if before else 0.0,
+            abs(now_after / before - 1.0) / control.pressure if before else 0.0,
             abs(measures.conicity - self.now.measures.conicity) / control.conicity,
         )
-        deepest = float(depth.max())
-        step = WearStep(end, profile, radius, deepest, measures, before, diffusivity=diffusivity)
+        step = WearStep(
+            end, profile, radius, float(depth.max()), measures, before,
+            sensitivity=min(max(found, SENSITIVITY[0]), SENSITIVITY[1]),
+            next_rate=rate_after, next_pressure=now_after,
+        )  # fmt: skip
         return step, shares
 
 

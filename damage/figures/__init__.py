@@ -2,6 +2,7 @@
 
 ====================================  ======================================================================
 `damage.figures.profile_panels`       wear and fatigue over the wheel profile, one panel per wheel
+`damage.figures.rail_wear`            wear over the profiles of the rails, by stretch of track
 `damage.figures.rcf_bins`             revolutions with fatigue over the profile, per wheel or case by case
 `damage.figures.rcf_maps`             RCF number and energy over wheel profile and contact patch
 `damage.figures.local_index`          global and local fatigue indices across a wheel's patches

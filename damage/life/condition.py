@@ -26,7 +26,8 @@ from hh_exudyn.log.parts import write_bytes
 
 INDICES = ("global", "local")
 _LAYER = ("damage", "damage_without_wear", "worn")
-_NUMBERS = tuple(field.name for field in fields(WearStep) if field.name not in ("profile", "measures"))
+_NO_NUMBERS = "profile", "measures", "next_rate"
+_NUMBERS = tuple(field.name for field in fields(WearStep) if field.name not in _NO_NUMBERS)
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,6 +158,8 @@ class WheelCondition:
         numbers["turned_at"] = self.turned_at
         arrays: Arrays = {name: np.array([value], dtype=np.float64) for name, value in numbers.items()}
         arrays |= {"y": self.step.profile.y, "z": self.step.profile.z}
+        if self.step.next_rate is not None:
+            arrays["next_rate"] = self.step.next_rate
         if (arc := self.grid.profile_arc) is not None:
             arrays |= {"profile_y": arc.y, "profile_arc": arc.arc}
         for index, layer in self.cracks.items():
@@ -189,6 +192,7 @@ class WheelCondition:
                 measures=WheelMeasures(
                     **{name: arrays[f"measure_{name}"].item() for name in WheelMeasures.__annotations__}
                 ),
+                next_rate=arrays.get("next_rate"),
                 **{name: arrays[f"step_{name}"].item() for name in _NUMBERS},
             )
             cracks = {

@@ -7,11 +7,12 @@ import pyarrow
 
 from damage.log_input.bad_rows import BadRows, Chunk
 from damage.log_input.contact_source import ContactSource, batches
-from damage.log_input.states import POSE_COLUMNS, ContactStates
+from damage.log_input.states import POSE_COLUMNS, RAIL_COLUMNS, ContactStates
 
-DAMAGE_COLUMNS = tuple(name for name in ContactStates._fields if name not in POSE_COLUMNS)
+DAMAGE_COLUMNS = tuple(name for name in ContactStates._fields if name not in (*POSE_COLUMNS, *RAIL_COLUMNS))
 """Columns of the contact log that damage needs; where it rebuilds patches from the profiles also those of the
-pose, `damage.log_input.states.POSE_COLUMNS`."""
+pose, `damage.log_input.states.POSE_COLUMNS`, and for the rails those of the place on them, `RAIL_COLUMNS`
+there."""
 
 CHUNK_ROWS = 20_000  # bounds the memory of one chunk to a few megabytes
 

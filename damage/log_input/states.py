@@ -47,10 +47,15 @@ class ContactStates(NamedTuple):
     centre_y: FloatArray
     centre_z: FloatArray
     roll: FloatArray
+    y_rail: FloatArray
+    patch: FloatArray
 
 
 POSE_COLUMNS = ("s", "angle_of_attack", "centre_y", "centre_z", "roll")
 """Columns of the wheel's pose on its rail: needed where patches are rebuilt from the profiles, else NaN."""
+
+RAIL_COLUMNS = ("s", "y_rail", "patch")
+"""Columns of the place on the rails: needed where damage of rails is summed too, else NaN."""
 
 LOAD_COLUMNS = ("a", "b", "normal_force", "nu_x", "nu_y", "phi", "friction")
 """Columns that determine stress and slip of a patch."""

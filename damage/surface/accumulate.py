@@ -14,7 +14,7 @@ is the same to the last bit however many threads there are.
 import math
 import os
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import replace
 from typing import NamedTuple
@@ -32,51 +32,38 @@ from damage.log_input.output_clock import (
     output_clock,
     timed_states,
 )
-from damage.log_input.states import POSE_COLUMNS, ContactStates, patch_of
+from damage.log_input.states import POSE_COLUMNS, RAIL_COLUMNS, ContactStates
 from damage.model import DamageModel
 from damage.patch_strips import FLANGE, TREAD
-from damage.rcf.number import COLUMNS, CORRECTED, COUNTED, ENERGY, Bins
+from damage.rails.pieces import RailPair, RailRows, Rails, rail_pairs, rail_rows, rail_sums, together
 from damage.rcf.subsurface import level_of, subsurface_fatigue_index
 from damage.rcf.surface_index import surface_fatigue_index
-from damage.surface.contact_sums import (
-    Placed,
-    Solving,
-    Sums,
-    Work,
-    add_patch,
-    add_states,
-    fill_wear_factors,
-    turning_of,
-    work_space,
+from damage.surface.block_sums import (
+    Block,
+    BlockSums,
+    RailBlock,
+    add_block,
+    add_rail_block,
+    block_sums,
 )
-from damage.surface.halfspace_patch import LEAST_LOAD, EllipseSolver, WheelSolver, places_between
-from damage.surface.normal_contact import ELLIPSE, HALFSPACE, STRIPS
-from damage.surface.patch_field import DAMAGE_THEORIES
-from damage.surface.rebuilt_sums import add_rebuilt, rebuild_work, rebuilding
+from damage.surface.contact_sums import Placed
+from damage.surface.halfspace_patch import places_between
+from damage.surface.normal_contact import ELLIPSE
 from damage.surface.wheel_surface import Wheel, WheelSurface
 from damage.wear.energy import wear_number
-from damage.wear.films import NO_FILM
 from hh_exudyn.arrays import FloatArray, IntArray
-from hh_exudyn.contact.strips.table import CAPACITY
-from hh_exudyn.contact.types import Elastic
 
 BLOCK_ROWS = 2500  # rows of a block: some 50 ms of work; the sums depend on it in the last digits
 HALFSPACE_ROWS = 50  # of the half-space: a second; the first of a block begins from nothing
 
-_STRIPS_STEP = 32  # of the sizes of work spaces
-_COUNTED = {"rcf_number": COUNTED, "corrected_rcf_number": CORRECTED, "energy": ENERGY}  # columns of `counts`
-_SUMMED = tuple(name for name in Sums._fields if name not in ("counts", "pressure_by_part"))
-
-
 Progress = Callable[[int], None]
 
 
-class Block(NamedTuple):
-    """Contact states of one wheel that are summed together."""
+class Accumulated(NamedTuple):
+    """The sums of a log."""
 
-    wheel: int  # its place among the wheels of the piece of log
-    states: ContactStates
-    placed: Placed
+    wheels: WheelSurface
+    rails: tuple[RailPair, ...]  # of each stretch of track that the model has, left and right
 
 
 def accumulate(
@@ -88,7 +75,22 @@ def accumulate(
     bad_rows: BadRows | None = None,
     progress: Progress | None = None,
 ) -> WheelSurface:
-    """Sum a contact log on the surfaces of its wheels.
+    """Sum a contact log on the surfaces of its wheels; arguments and errors as `accumulate_both`."""
+    return accumulate_both(source, model, clock, chunk_rows, threads, bad_rows, progress).wheels
+
+
+def accumulate_both(
+    source: ContactSource,
+    model: DamageModel,
+    clock: OutputClock | None = None,
+    chunk_rows: int = CHUNK_ROWS,
+    threads: int | None = None,
+    bad_rows: BadRows | None = None,
+    progress: Progress | None = None,
+) -> Accumulated:
+    """Sum a contact log on the surfaces of its wheels, and of the rails where the model names stretches.
+
+    Every patch is solved once, for both.
 
     Parameters
     ----------
@@ -121,7 +123,9 @@ def accumulate(
     columns = DAMAGE_COLUMNS if model.normal == ELLIPSE else (*DAMAGE_COLUMNS, *POSE_COLUMNS)
     if model.films is not None and "s" not in columns:
         columns = (*columns, "s")  # sections of the track have films of their own
-    if has_column(source, "patch"):
+    if model.rails is not None:
+        columns = (*columns, *(name for name in RAIL_COLUMNS if name not in columns))
+    elif has_column(source, "patch"):
         columns = (*columns, "patch")  # a log has each patch of a time once
     gap: Fault | None = None
     try:
@@ -139,22 +143,33 @@ def accumulate(
 
 def _sum(
     pieces: Iterator[TimedStates], model: DamageModel, threads: int, progress: Progress | None
-) -> WheelSurface:
+) -> Accumulated:
     """The sums over all pieces of a log."""
-    total = WheelSurface.zero((), model.grid, model.patch_grid)
+    total, all_rails = WheelSurface.zero((), model.grid, model.patch_grid), Rails()
     with ThreadPoolExecutor(threads) as pool:
         for piece in pieces:
             part, wheel, placed = _piece_sums(piece, model)
+            rails, rows = Rails(), None
+            if model.rails is not None:
+                lost = _lost(piece.states)
+                reach = piece.states.b if model.normal == ELLIPSE else np.zeros(wheel.size)
+                rows = rail_rows(piece.states, placed, lost, model.rails, reach)
+                rails = rail_sums(piece.states, rows, lost, part.wheels, wheel, model.rails)
             size = HALFSPACE_ROWS if model.theory == "halfspace" else BLOCK_ROWS
-            blocks = _blocks(piece.states, placed, wheel, size)
+            blocks = _blocks(piece.states, placed, wheel, size, rows)
             if model.wheels is not None:
-                summed = [model.sums(one.vehicle, one.wheelset, one.side) for one in part.wheels]
-                blocks = _chosen(blocks, summed)
-            _add_blocks(pool, blocks, model, part, 2 * threads, total.rows, progress)
-            total = total + part
-    if model.wheels is None:
-        return total
-    return total.only([model.sums(one.vehicle, one.wheelset, one.side) for one in total.wheels])
+                blocks = _chosen(blocks, _summed(part.wheels, model))
+            _add_blocks(pool, blocks, model, part, rails, 2 * threads, total.rows, progress)
+            total, all_rails = total + part, together(all_rails, rails)
+    if model.wheels is not None:
+        total = total.only(_summed(total.wheels, model))
+        all_rails = {key: one.only(_summed(one.by_wheel.wheels, model)) for key, one in all_rails.items()}
+    return Accumulated(total, () if model.rails is None else rail_pairs(all_rails, model.rails))
+
+
+def _summed(wheels: Sequence[Wheel], model: DamageModel) -> list[bool]:
+    """Whether each wheel is among those that are summed."""
+    return [model.sums(one.vehicle, one.wheelset, one.side) for one in wheels]
 
 
 def usable_processors() -> int:
@@ -164,19 +179,27 @@ def usable_processors() -> int:
     return os.cpu_count() or 1
 
 
-def _blocks(states: ContactStates, placed: Placed, wheel: IntArray, size: int) -> Iterator[Block]:
-    """The states in blocks of `size` rows, wheel by wheel, each with the index of its wheel."""
-    order = np.argsort(wheel, kind="stable")
-    for rows in np.split(order, np.flatnonzero(np.diff(wheel[order])) + 1):
-        if rows.size == 0:
+def _blocks(
+    states: ContactStates, placed: Placed, wheel: IntArray, size: int, rows: RailRows | None
+) -> Iterator[Block]:
+    """The states in blocks of `size` rows, wheel by wheel and there by stretch of rail where these count."""
+    kind = wheel if rows is None else wheel * (int(rows.stretch.max(initial=0)) + 2) + rows.stretch + 1
+    order = np.argsort(kind, kind="stable")
+    for of_kind in np.split(order, np.flatnonzero(np.diff(kind[order])) + 1):
+        if of_kind.size == 0:
             continue  # a piece of bad rows alone
-        new = np.flatnonzero(np.diff(states.time[rows], prepend=np.nan) != 0.0)  # one time in one block
+        new = np.flatnonzero(np.diff(states.time[of_kind], prepend=np.nan) != 0.0)  # one time in one block
         starts = new[np.diff(new // size, prepend=-1) > 0]
-        for block in np.split(rows, starts[1:]):
+        for block in np.split(of_kind, starts[1:]):
+            rail = None
+            if rows is not None and rows.stretch[block[0]] >= 0:
+                on_rail = Placed._make(column[block] for column in rows.placed)
+                rail = RailBlock(int(rows.stretch[block[0]]), on_rail, rows.damage[block])
             yield Block(
                 int(wheel[block[0]]),
                 ContactStates._make(column[block] for column in states),
                 Placed._make(column[block] for column in placed),
+                rail,
             )
 
 
@@ -190,96 +213,32 @@ def _add_blocks(
     blocks: Iterator[Block],
     model: DamageModel,
     surface: WheelSurface,
+    rails: Rails,
     waiting: int,
     done: int,
     progress: Progress | None,
 ) -> None:
-    """Sum the blocks and add them to the surface in order; at most `waiting` sums are held."""
-    pending: deque[tuple[Block, Future[Sums]]] = deque()
+    """Sum the blocks and add them to surface and rails in order; at most `waiting` sums are held."""
+    pending: deque[tuple[Block, Future[BlockSums]]] = deque()
 
     def collect() -> None:
         nonlocal done
         own, future = pending.popleft()
-        block, wheel = future.result(), own.wheel
-        index, interval, part = own.placed.fatigue_index, own.placed.interval, own.placed.part
-        np.add.at(surface.positive_time[wheel], part, np.where(index > 0.0, interval, 0.0))
-        np.add.at(surface.index_area[wheel], part, np.maximum(index, 0.0) * interval)
-        done += index.size
+        sums, wheel = future.result(), surface.wheels[own.wheel]
+        add_block(surface, own.wheel, own.placed, sums.wheel)
+        if own.rail is not None and sums.rail is not None:
+            rail = rails[own.rail.stretch, wheel.side]
+            add_rail_block(rail, wheel, own.rail.placed, sums.rail, sums.whole_life)
+        done += own.states.time.size
         if progress is not None:
             progress(done)
-        for name in _SUMMED:
-            getattr(surface, name)[wheel] += getattr(block, name)
-        highest = surface.pressure_by_part[wheel]
-        np.maximum(highest, block.pressure_by_part, out=highest)
-        for name, column in _COUNTED.items():
-            getattr(surface, name)[wheel] += block.counts[..., column]
 
     for block in blocks:
-        pending.append((block, pool.submit(_block_sums, block, surface.wheels[block.wheel], model)))
+        pending.append((block, pool.submit(block_sums, block, surface.wheels[block.wheel], model)))
         if len(pending) >= waiting:
             collect()
     while pending:
         collect()
-
-
-def _block_sums(block: Block, wheel: Wheel, model: DamageModel) -> Sums:
-    """Sums over the states of a block, from zero."""
-    zero = WheelSurface.zero((wheel,), model.grid, model.patch_grid)
-    counts = np.zeros((*zero.rcf_number.shape[1:], COLUMNS))
-    sums = Sums(**{name: getattr(zero, name)[0] for name in Sums._fields[:-1]}, counts=counts)
-    elastic, grid, along = model.material.elastic, model.grid, model.patch_grid
-    solving = Solving(
-        DAMAGE_THEORIES[model.theory],
-        Elastic(elastic.shear_modulus, elastic.poisson_ratio),
-        model.material.shear_yield,
-        model.law.values,
-        model.limits,
-        Bins(grid.start, grid.step, along.start, along.step),
-        NO_FILM if model.films is None else model.films.factors,
-    )
-    if model.normal == STRIPS and model.contact is not None:
-        work = work_space((model.cells[0], CAPACITY), along.count)
-        rebuild = rebuilding(model.contact, grid, model.flange_angle)
-        bad = add_rebuilt(block.states, block.placed, rebuild, solving, rebuild_work(), work, sums)
-        if bad >= 0:
-            raise ValueError(
-                "contact log: wheel and rail do not touch at "
-                f"y_wheel = {block.states.y_wheel[bad] * 1e3:.2f} mm, "
-                f"time = {block.states.time[bad]:.6g} s: other profiles were in the run"
-            )
-    elif model.theory == "halfspace":
-        solver: WheelSolver | EllipseSolver = EllipseSolver(model.cells)
-        if model.normal == HALFSPACE and model.contact is not None:
-            solver = WheelSolver(model.contact, grid, model.flange_angle, model.pressure_limit, elastic)
-        _add_solved(block, solver, solving, along.count, sums)
-    else:
-        add_states(block.states, block.placed, solving, work_space(model.cells, along.count), sums)
-    return sums
-
-
-def _add_solved(
-    block: Block, solver: WheelSolver | EllipseSolver, solving: Solving, bins_along: int, sums: Sums
-) -> None:
-    """Add the states of a block, each solved by the half-space; their fatigue indices follow from it too.
-
-    A patch under `LEAST_LOAD` is left out: the bodies begin to touch on less than an element of the grid.
-    """
-    states, placed = block.states, block.placed
-    spaces: dict[tuple[int, int], Work] = {}
-    loaded = np.flatnonzero(states.normal_force > LEAST_LOAD)
-    for rows in np.split(loaded, np.flatnonzero(np.diff(states.time[loaded])) + 1):
-        for row, solved in zip(rows, solver.solve(states, placed, rows, solving), strict=True):
-            strips, along = solved.fields.pressure.shape
-            size = along, -(-strips // _STRIPS_STEP) * _STRIPS_STEP
-            if size not in spaces:
-                spaces[size] = work_space(size, bins_along)
-            bearing = 2.0 / 3.0 * solved.area * solving.shear_yield
-            placed.fatigue_index[row] = (solved.force - bearing) / states.normal_force[row]  # (3.16)
-            np.maximum.at(sums.pressure_by_part, solved.strips.part, solved.max_pressure)
-            fill_wear_factors(states, placed, row, solved.angle, solving, solved.strips)
-            turning = turning_of(states, row, placed.interval[row], placed.fatigue_index[row])
-            patch = patch_of(states, row, solving.elastic)
-            add_patch(patch, solved.area, solved.strips, solved.fields, turning, solving, spaces[size], sums)
 
 
 def _piece_sums(piece: TimedStates, model: DamageModel) -> tuple[WheelSurface, IntArray, Placed]:
@@ -292,7 +251,7 @@ def _piece_sums(piece: TimedStates, model: DamageModel) -> tuple[WheelSurface, I
         states.force_x, states.force_y, states.normal_force, states.a, states.b, model.material.shear_yield
     )
     part = np.where(states.contact_angle > model.flange_angle, FLANGE, TREAD)
-    lost = wear_number(states.force_x, states.force_y, states.moment_z, states.nu_x, states.nu_y, states.phi)
+    lost = _lost(states)
     empty = WheelSurface.zero(wheels, model.grid, model.patch_grid)
     np.add.at(empty.patch_time, (wheel, part), interval)
     np.add.at(empty.friction_area, (wheel, part), states.friction * interval)
@@ -323,6 +282,11 @@ def _add_subsurface(
     level = level_of(subsurface_fatigue_index(force, states.a[loaded], states.b[loaded], used))
     turns = states.speed * interval / (2.0 * math.pi * states.rolling_radius)
     np.add.at(surface.subsurface_revolutions, (wheel[loaded], part[loaded], level), turns[loaded])
+
+
+def _lost(states: ContactStates) -> FloatArray:
+    """(n,) wear number of each patch [N]."""
+    return wear_number(states.force_x, states.force_y, states.moment_z, states.nu_x, states.nu_y, states.phi)
 
 
 def _wheels(states: ContactStates) -> tuple[tuple[Wheel, ...], IntArray]:

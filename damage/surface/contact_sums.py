@@ -1,18 +1,17 @@
-"""The kernel of damage: every contact state is solved once, its wear and fatigue are summed for its wheel."""
+"""The kernel of damage: wear and fatigue of a solved patch are summed for a wheel, or for a rail."""
 
 import math
 from typing import NamedTuple
 
 import numpy as np
 
-from damage.log_input.states import ContactStates, patch_of
-from damage.patch_strips import PatchStrips, ellipse_strips, place_strips, strips_space
+from damage.log_input.states import ContactStates
+from damage.patch_strips import PatchStrips, strips_space
 from damage.rcf.burstow import BurstowLimits
 from damage.rcf.local import strip_fatigue
 from damage.rcf.miner import kabo_damage
 from damage.rcf.number import Bins, CountWork, count_patch, count_work
 from damage.surface.lateral_grid import spread
-from damage.surface.patch_field import patch_field
 from damage.wear.law import REGIMES, LawValues, SolvedPatch
 from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.contact.friction import FrictionTable, friction_at
@@ -21,7 +20,7 @@ from hh_exudyn.kernel import inlined_kernel, kernel
 
 
 class Placed(NamedTuple):
-    """Place, time and fatigue index of the contact states of one wheel, (n,) each."""
+    """Place, time and fatigue index of the contact states of one wheel on it or on its rail, (n,) each."""
 
     part: IntArray  # TREAD or FLANGE
     interval: FloatArray  # [s]
@@ -101,36 +100,6 @@ def work_space(cells: tuple[int, int], bins_along: int) -> Work:
         np.zeros(ny),
         count_work(cells, bins_along),
     )
-
-
-@kernel
-def add_states(states: ContactStates, placed: Placed, solving: Solving, work: Work, sums: Sums) -> None:
-    """Add the states of a wheel, each by its equivalent ellipse, to its sums (kernel, allocates nothing).
-
-    Parameters
-    ----------
-    states, placed
-        (n,) contact states of the wheel; every patch lies on the grids.
-    solving
-        Theory, steel, wear law and bins.
-    work
-        Work space.
-    sums
-        Result, added to.
-    """
-    for row in range(placed.part.size):
-        if states.normal_force[row] <= 0.0:
-            continue  # contact without force: no pressure, no wear, no fatigue
-        patch, part = patch_of(states, row, solving.elastic), placed.part[row]
-        turning = turning_of(states, row, placed.interval[row], placed.fatigue_index[row])
-        area = ellipse_strips(patch, work.strips)
-        across = -states.side[row] * placed.stretch[row]
-        place_strips(patch.b, placed.position[row], across, part, work.strips)
-        work.strips.wear_factor[:] = wear_factor(states, placed, row, states.contact_angle[row], solving)
-        sums.pressure_by_part[part] = max(sums.pressure_by_part[part], states.p_max[row])
-        if turning.rolled > 0.0:
-            patch_field(solving.theory, patch, states.force_x[row], states.force_y[row], work.fields)
-        add_patch(patch, area, work.strips, work.fields, turning, solving, work, sums)
 
 
 @inlined_kernel

@@ -49,6 +49,7 @@ class Solved(NamedTuple):
     force: float  # creep force [N]
     max_pressure: FloatArray  # (strips,) [Pa]
     angle: FloatArray  # (strips,) contact angle, positive towards the flange [rad]
+    y_rail: FloatArray | None  # (strips,) places on the rail profile [m]; None: those of the ellipse
 
 
 @dataclass
@@ -195,7 +196,13 @@ class WheelSolver:
             part=np.where(gamma > self.flange_angle, FLANGE, TREAD).astype(np.int64),
         )
         return Solved(
-            strips, contact.area, part, force, part.pressure.max(axis=1), np.ascontiguousarray(gamma)
+            strips,
+            contact.area,
+            part,
+            force,
+            part.pressure.max(axis=1),
+            np.ascontiguousarray(gamma),
+            contact.y_rail[rows],
         )
 
 
@@ -228,7 +235,7 @@ class EllipseSolver:
             cell = (2.0 * strips.half_length * strips.width / nx)[:, None]
             force = float(np.hypot(np.sum(fields.q_x * cell), np.sum(fields.q_y * cell)))
             angle = np.full(ny, states.contact_angle[row])
-            yield Solved(strips, float(area), fields, force, np.full(ny, states.p_max[row]), angle)
+            yield Solved(strips, float(area), fields, force, np.full(ny, states.p_max[row]), angle, None)
 
 
 def _balanced(pressure: FloatArray, traction: FloatArray, slip: FloatArray, rigid: FloatArray) -> Fields:

@@ -1,12 +1,14 @@
-"""Bins fixed to the wheel profile: over its lateral coordinate, or over its arc where the profile is known.
+"""Bins fixed to a wheel or rail profile: over its lateral coordinate, or over its arc where that is known.
 
 On the flange the lateral coordinate is a poor measure: a bin of 1 mm covers 2 mm of a surface at 60 degrees.
-So where the wheel profile is given, the bins lie along its arc, from 0 at the running circle, positive
-towards the flange; depth is normal to the surface in both cases.
+So where the profile is given, the bins lie along its arc: of a wheel from 0 at the running circle, positive
+towards the flange; of a rail from 0 at its highest point, positive towards the gauge face. Depth is normal to
+the surface in all cases.
 """
 
 import math
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,9 +22,36 @@ from hh_exudyn.kernel import kernel
 _MARGIN = 0.010  # of bins beyond the ends of a profile: an equivalent ellipse may overlap them [m]
 
 
+class PlaceTable(NamedTuple):
+    """Coordinate of a grid over the lateral one, for kernels; empty where they are the same."""
+
+    y: FloatArray  # (n,) increasing [m]
+    coordinate: FloatArray  # (n,) [m]
+
+
+@kernel
+def place_of(y: float, contact_angle: float, table: PlaceTable) -> tuple[float, float]:
+    """`LateralGrid.place` of one contact (kernel).
+
+    Parameters
+    ----------
+    y, contact_angle
+        Lateral position [m] and angle [rad].
+    table
+        Of the grid.
+    """
+    size = table.y.size
+    if size == 0:
+        return y, math.cos(contact_angle)
+    k = min(max(int(np.searchsorted(table.y, y)), 1), size - 1)
+    share = (y - table.y[k - 1]) / (table.y[k] - table.y[k - 1])
+    step = table.coordinate[k] - table.coordinate[k - 1]
+    return table.coordinate[k - 1] + min(max(share, 0.0), 1.0) * step, 1.0
+
+
 @dataclass(frozen=True, eq=False)
 class ProfileArc:
-    """Arc length over the lateral coordinate of a wheel profile.
+    """Arc length over the lateral coordinate of a wheel or rail profile.
 
     Beyond the ends of the profile the arc length continues with slope 1.
 
@@ -31,27 +60,20 @@ class ProfileArc:
     y
         (n,) lateral coordinate, increasing [m].
     arc
-        (n,) arc length from the running circle y = 0, increasing [m].
+        (n,) arc length from the running circle y = 0 of a wheel, from the top of a rail, increasing [m].
     """
 
     y: FloatArray
     arc: FloatArray
 
     @classmethod
-    def of(cls, wheel: Profile) -> "ProfileArc":
-        """The arc of a wheel profile, along the chords of its points.
-
-        Raises
-        ------
-        ValueError
-            The profile is a rail's.
-        """
-        if wheel.kind != "wheel":
-            raise ValueError(f"profile {wheel.name!r} is a {wheel.kind}'s; damage needs a wheel's")
-        arc = arc_length(wheel.y, wheel.z)
-        arc -= np.interp(0.0, wheel.y, arc)
+    def of(cls, profile: Profile) -> "ProfileArc":
+        """The arc of a profile, along the chords of its points."""
+        origin = 0.0 if profile.kind == "wheel" else float(profile.y[np.argmax(profile.z)])
+        arc = arc_length(profile.y, profile.z)
+        arc -= np.interp(origin, profile.y, arc)
         ends = _MARGIN * np.array([-1.0, 1.0])
-        y = np.concatenate([[wheel.y[0] + ends[0]], wheel.y, [wheel.y[-1] + ends[1]]])
+        y = np.concatenate([[profile.y[0] + ends[0]], profile.y, [profile.y[-1] + ends[1]]])
         return cls(y, np.concatenate([[arc[0] + ends[0]], arc, [arc[-1] + ends[1]]]))
 
     def __eq__(self, other: object) -> bool:
@@ -66,10 +88,10 @@ class ProfileArc:
 
 @dataclass(frozen=True)
 class LateralGrid:
-    """Bins of equal width over a wheel profile, in the grid's coordinate.
+    """Bins of equal width over a wheel or rail profile, in the grid's coordinate.
 
     The coordinate is the lateral one of the profile (side coordinates), or its arc length. The default spans
-    from the flange back (+70 mm) to 70 mm on the field side in bins of 1 mm.
+    from a wheel's flange back (+70 mm) to 70 mm on the field side in bins of 1 mm.
 
     Attributes
     ----------
@@ -95,23 +117,23 @@ class LateralGrid:
             raise ValueError(f"count = {self.count} bins must be at least 1")
 
     @classmethod
-    def along(cls, wheel: Profile, step: float = 0.001) -> "LateralGrid":
-        """Bins over the whole arc of a wheel profile, one of their edges at the running circle.
+    def along(cls, profile: Profile, step: float = 0.001) -> "LateralGrid":
+        """Bins over the whole arc of a profile, an edge at a wheel's running circle or at a rail's top.
 
         Parameters
         ----------
-        wheel
-            The wheel profile.
+        profile
+            Of the wheel or rail.
         step
             Width of a bin [m], > 0.
 
         Raises
         ------
         ValueError
-            The profile is a rail's, or the step is not above zero.
+            The step is not above zero.
         """
         check_above_zero("step", step, "m")
-        arc = ProfileArc.of(wheel)
+        arc = ProfileArc.of(profile)
         first, last = math.floor(arc.arc[0] / step), math.ceil(arc.arc[-1] / step)
         return cls(first * step, step, last - first, arc)
 
@@ -158,6 +180,12 @@ class LateralGrid:
         if self.profile_arc is None:
             return lateral, np.cos(angle)
         return np.interp(lateral, self.profile_arc.y, self.profile_arc.arc), np.ones_like(lateral)
+
+    @property
+    def table(self) -> PlaceTable:
+        """The places for kernels: `place_of`."""
+        arc = self.profile_arc
+        return PlaceTable(np.empty(0), np.empty(0)) if arc is None else PlaceTable(arc.y, arc.arc)
 
 
 @dataclass(frozen=True)

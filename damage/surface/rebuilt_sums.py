@@ -11,8 +11,9 @@ import numpy as np
 
 from damage.log_input.states import ContactStates, patch_of
 from damage.patch_strips import FLANGE, TREAD, PatchStrips, first_strips
+from damage.rails.side import RailSide, add_to_rail
 from damage.surface.contact_sums import Placed, Solving, Sums, Work, add_patch, turning_of, wear_factor
-from damage.surface.lateral_grid import LateralGrid
+from damage.surface.lateral_grid import LateralGrid, place_of
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.strips.rebuilt import LoggedPatch, LoggedPose, rebuilt_rows
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
@@ -93,6 +94,7 @@ def add_rebuilt(
     rebuild_space: RebuildWork,
     work: Work,
     sums: Sums,
+    rail: RailSide,
 ) -> int:
     """Add the states of a wheel, each by its strips, to its sums (kernel, allocates nothing).
 
@@ -108,6 +110,8 @@ def add_rebuilt(
         Work spaces, for `CAPACITY` strips.
     sums
         Result, added to.
+    rail
+        The rail below the wheel, added to where it is wanted.
 
     Returns
     -------
@@ -129,7 +133,7 @@ def add_rebuilt(
             return row
         places = rebuild.left if states.side[row] > 0.0 else rebuild.right
         loaded, area = _fill_strips(
-            count, places, rebuild, rebuild_space.rows, states, placed, row, solving, work.strips
+            count, places, rebuild, rebuild_space.rows, states, placed, row, solving, work.strips, rail
         )
         strips, fields = first_strips(work.strips, work.fields, loaded)
         for strip in range(loaded):
@@ -139,6 +143,9 @@ def add_rebuilt(
         turning = turning_of(states, row, placed.interval[row], placed.fatigue_index[row])
         rolling = patch_of(states, row, solving.elastic)
         add_patch(rolling, area, strips, fields, turning, solving, work, sums)
+        if rail.wanted:
+            on_rail, _ = first_strips(rail.strips, work.fields, loaded)
+            add_to_rail(rail, row, rolling, area, on_rail, fields, turning, work)
     return -1
 
 
@@ -153,8 +160,12 @@ def _fill_strips(
     row: int,
     solving: Solving,
     strips: PatchStrips,
+    rail: RailSide,
 ) -> tuple[int, float]:
-    """Fill the strips that carry load, in the order of the fields; their number and the area of contact."""
+    """Fill the strips that carry load, in the order of the fields; their number and the area of contact.
+
+    On the rail a strip lies at its place on the rail's profile, and is as wide as on the wheel.
+    """
     loaded, area = 0, 0.0
     for j in range(count):
         if not rows[Row.LOAD, j] > 0.0:
@@ -170,6 +181,9 @@ def _fill_strips(
         angle = math.atan2(rows[Row.SINE, j], rows[Row.COSINE, j])
         strips.wear_factor[loaded] = wear_factor(states, placed, row, angle, solving)
         strips.part[loaded] = FLANGE if angle > rebuild.flange_angle else TREAD
+        if rail.wanted:
+            position, stretch = place_of(rows[Row.Y_RAIL, j], angle, rail.table)
+            rail.strips.position[loaded], rail.strips.covered[loaded] = position, width * stretch
         area += 2.0 * half_length * width
         loaded += 1
     return loaded, area

@@ -19,6 +19,8 @@ from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
+import numpy as np
+
 from damage.parameters import parameters
 from damage.wear.jendel import JENDEL_REGIMES, JendelMap, MapValues, wear_coefficient, wear_regime
 from damage.wear.law import REGIMES, SolvedPatch, WearLaw, require_known
@@ -104,6 +106,24 @@ def read_archard(numbers: FloatArray) -> ArchardValues:
         numbers[1], numbers[2], numbers[3], numbers[4], numbers[5], numbers[6], numbers[7], numbers[8]
     )
     return ArchardValues(numbers[0] != 0.0, wear_map)
+
+
+def archard_on_rail(law: WearLaw, softer: float, ratio: float) -> tuple[float, ...]:
+    """Numbers of Archard's law on a rail: seizure of the softer body, coefficients times a ratio.
+
+    Parameters
+    ----------
+    law
+        Archard's, with the rail's hardness.
+    softer
+        Hardness of the softer of wheel and rail [Pa].
+    ratio
+        Coefficients of the rail over those of the map [-].
+    """
+    rigid, wear_map = read_archard(np.array(law.numbers))
+    seizure = wear_map.seizure_pressure * softer / wear_map.hardness
+    coefficients = (ratio * coefficient for coefficient in wear_map[:4])
+    return (float(rigid), *coefficients, wear_map.severe_from, wear_map.severe_to, seizure, wear_map.hardness)
 
 
 @kernel

@@ -2,10 +2,13 @@
 
 A run says where lubricant lies (`hh_exudyn.case.friction`): its treatments reach zones of the wheel, sections
 of the track, and wheelsets. Archard's coefficients are divided there as those of a lubricated or a greased
-surface (`damage.wear.archard`; Hossein-Nia 2018, p. 70: 6 after Jendel, 100 after Zhu); from zone to zone and
-from section to section the factor passes as friction does. Other laws have no such numbers: theirs stay dry.
+surface (`damage.wear.archard`; Hossein-Nia 2018, p. 70: 6 after Jendel, 100 after Zhu). From root to flange
+and from section to section the factor passes as friction does; from tread to root over a wider range, y = 10
+to 35 mm of a new wheel: an edge of the film would be worn into the profile. Other laws have no such numbers:
+theirs stay dry.
 """
 
+import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -48,7 +51,12 @@ class WearFilms:
         """Wear over that of dry steel, for the kernels."""
         divisors = parameters("wear", "surface")
         factor = np.array([1.0 if film == "dry" else 1.0 / divisors[film].value for film in FILMS])
-        return self.films._replace(friction=factor[self.films.friction.astype(np.int64)])
+        passage = parameters("wear", "films")
+        return self.films._replace(
+            friction=factor[self.films.friction.astype(np.int64)],
+            corner_from=math.radians(passage["root_from"].value),
+            corner_to=math.radians(passage["root_to"].value),
+        )
 
     def rows(self, vehicle: FloatArray, wheelset: FloatArray) -> IntArray:
         """Wheelsets of the table, (n,), from those of contact states.

@@ -12,6 +12,7 @@
 `validate`       the toolkit beside numbers from outside
 `creep_curve`    creep force over creepage by every theory
 `damage`         wear and fatigue of a run
+`rails`          rails of a run: elements, table, figure
 `reports`        damage reports of a run, one for the wheels of each profile
 `evaluation`     folder and settings of a damage evaluation
 `assess`         assessment of runs after UIC 518 / EN 14363

@@ -1,4 +1,4 @@
-"""The commands about campaigns: ``campaign new``, ``run``, ``status``.
+"""The commands about campaigns: ``campaign new``, ``run``, ``error``, ``status``.
 
 They compute nothing themselves.
 
@@ -98,6 +98,36 @@ def run(
         _print_status(begun)
         if not reached:
             output.print_line(f"the time of --budget {budget} is over; the same command goes on")
+
+
+@campaign.command()
+def error(
+    directory: CampaignFolder,
+    runs: Annotated[int, typer.Option(metavar="N", help="Most cases to run.", min=1)],
+    stated: Annotated[
+        float, typer.Option("--error", metavar="%", help="Stop at this error, half the interval of 95 %.")
+    ] = 5.0,
+    workers: Annotated[
+        int | None, typer.Option(metavar="N", help="Processes; else one a core.", min=1, max=1024)
+    ] = None,
+    scheduler: Annotated[
+        str | None, typer.Option(metavar="ADDRESS", help="Dask scheduler, tcp://host:8786, for a cluster.")
+    ] = None,
+) -> None:
+    """Errors of wear and crack rates at the last step: more samples, and axes with halved steps."""
+    with output.errors_in_one_line():
+        from hh_exudyn.campaign.life.campaign import Campaign
+
+        inputs.check_range("--error", stated, 0.1, 100.0, "%")
+        with inputs.refused_as_bad_input():
+            found = Campaign(directory)
+            open_workers = _workers(workers, scheduler)
+        try:
+            with open_workers as pool, output.status("cases"), inputs.refused_as_bad_input():
+                sizing = found.size(pool, runs, 1e-2 * stated)
+        except KeyboardInterrupt:
+            output.fail(output.INTERRUPTED, f"interrupted; {directory} is kept, and the same command goes on")
+        output.print_line(sizing.words())
 
 
 @campaign.command()

@@ -1,9 +1,10 @@
-"""The command ``damage``: wear and fatigue of a run's wheels. It computes nothing itself.
+"""The command ``damage``: wear and fatigue of a run's wheels, and of its rails. It computes nothing itself.
 
 Conversion to millimetres and kilometres is here; the packages below use SI. Large packages are imported
 inside the functions, so that ``--help`` is fast.
 """
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -22,12 +23,14 @@ from hh_exudyn.cli.evaluation import (
     write_settings,
 )
 from hh_exudyn.cli.names import NamesInHelp
+from hh_exudyn.cli.rails import print_rails, rail_figures, rail_model, rail_places, rail_tables, rails_of
 from hh_exudyn.cli.reports import assessed, films_of, whole_table
 
 if TYPE_CHECKING:
     import pyarrow
     from matplotlib.figure import Figure
 
+    from damage.rails.report import RailPlace
     from damage.report import DamageReport
     from damage.surface.wheel_surface import Wheel
     from hh_exudyn.contact.profile import Profile
@@ -69,6 +72,10 @@ def damage(
     distance_km: Annotated[
         float | None, typer.Option(metavar="KM", help="Also give the damage after this distance.")
     ] = None,
+    rails: Annotated[
+        bool, typer.Option("--rails", help="Also the rails, by element of the track, per gross tonne.")
+    ] = False,
+    rail_material: Annotated[str, typer.Option(metavar="STEEL", help="Rail steel: {rail_steels}.")] = "R260",
     skip_bad_rows: Annotated[
         bool, typer.Option("--skip-bad-rows", help="Leave out rows that no contact can have; count them.")
     ] = False,
@@ -78,9 +85,9 @@ def damage(
         bool, typer.Option("--overwrite", help="Replace the evaluation in the folder; without, a new folder.")
     ] = False,
 ) -> None:
-    """Wear and rolling contact fatigue of a run's wheels, from its contact log: tables and figures.
+    """Wear and rolling contact fatigue of a run's wheels and rails, from its contact log: tables and figures.
     \f
-    Thirteen arguments: each is an option of the command.
+    Fifteen arguments: each is an option of the command.
     """
     with output.errors_in_one_line(folder):
         target = chosen_folder(folder, out_folder, overwrite)
@@ -93,7 +100,10 @@ def damage(
         run = inputs.read_run(folder, skip_broken_parts)
         films = films_of(run)
         options |= {"films": films if surface is None else films.without()}
-        show_damage(run, target, distance_km, skip_bad_rows, surface, **options)
+        places = rail_places(run) if rails else []
+        if rails:
+            options |= {"rails": rail_model(places, rail_material)}
+        show_damage(run, target, distance_km, skip_bad_rows, surface, places, **options)
 
 
 def _options(model: str, surface: str | None, theory: str | None, material: str) -> dict[str, Any]:
@@ -115,6 +125,7 @@ def show_damage(
     distance_km: float | None = None,
     skip_bad_rows: bool = False,
     surface: str | None = None,
+    places: "Sequence[RailPlace]" = (),
     **options: Any,
 ) -> None:
     """Print the damage tables of a run and write tables and figures.
@@ -131,6 +142,8 @@ def show_damage(
         Leave out rows that no contact can have.
     surface
         State of the surfaces that the wear law was made for; None for its default.
+    places
+        Elements of the track whose rails are in the options too; empty for none.
     options
         Of `damage.report.assess`.
     """
@@ -140,6 +153,7 @@ def show_damage(
 
     reports = assessed(run, skip_bad_rows, **options)
     report = reports[0][0]
+    rails = rails_of(run, [one for one, _ in reports], places) if places else None
     tables = {"damage.csv": whole_table([one.to_table() for one, _ in reports])}
     if distance_km is not None:
         tables["distance.csv"] = whole_table([one.distance_table(1e3 * distance_km) for one, _ in reports])
@@ -149,6 +163,7 @@ def show_damage(
     figures: dict[str, Figure] = {}
     for number, (one, profile) in enumerate(reports, 1):
         figures |= _figures(run, one, profile, distance, "" if number == 1 else f"_{number}")
+    tables, figures = tables | rail_tables(rails), figures | rail_figures(rails)
     label = law_and_steel(report, surface)
     with complete_folder(folder) as partial:
         for name, table in tables.items():
@@ -174,6 +189,8 @@ def show_damage(
             f"{SEIZED} flange wear under seizure (above {pressure:.0f} MPa, 0.8 of the hardness): the "
             f"unworn profile wears in first; {NOT_EXTRAPOLATED}"
         )
+    if rails is not None:
+        print_rails(rails)
     if report.bad_rows.faults:
         output.print_line(f"left out: {report.bad_rows}")
     if backs := check_rail_rows(run):

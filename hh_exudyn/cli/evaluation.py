@@ -120,6 +120,9 @@ def settings(
     return {
         "law": {"name": model.law.name, "surface": surface, "numbers": _finite(model.law.numbers)},
         "steel": asdict(model.material),
+        "rails": None
+        if model.rails is None
+        else {"steel": asdict(model.rails.material), "numbers": _finite(model.rails.wear.numbers)},
         "theory": model.theory,
         "normal_contact": model.normal,
         "cells": list(model.cells),

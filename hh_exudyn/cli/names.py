@@ -47,6 +47,12 @@ def _steels() -> Iterable[str]:
     return wheel_materials()
 
 
+def _rail_steels() -> Iterable[str]:
+    from damage.rails.steel import rail_materials
+
+    return rail_materials()
+
+
 def _vehicles() -> Iterable[str]:
     from vehicles.catalogue import vehicle_names
 
@@ -84,6 +90,7 @@ LISTS: dict[str, Callable[[], Iterable[str]]] = {
     "wear_laws": _wear_laws,
     "surfaces": _surfaces,
     "steels": _steels,
+    "rail_steels": _rail_steels,
     "vehicles": _vehicles,
     "templates": _templates,
     "lines": _lines,

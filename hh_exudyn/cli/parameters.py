@@ -97,7 +97,8 @@ def _profiles() -> _Numbers:
 def _steel() -> _Numbers:
     from hh_exudyn.sourced import load_parameters
 
-    yield "materials", load_parameters("damage", "materials").parameters
+    for file in ("materials", "rail_materials"):
+        yield file, load_parameters("damage", file).parameters
 
 
 def _wear() -> _Numbers:

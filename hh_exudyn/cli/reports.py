@@ -61,7 +61,7 @@ def _wheels_by_profile(
 
     if case.wheel_profiles is None:
         return [(case.wheel, None, (0, 0))]
-    wheelsets = _vehicle_of(run).wheelsets
+    wheelsets = vehicle_of(run).wheelsets
     names = wheel_names(case.wheel_profiles, case.wheel_profile, len(wheelsets))
     profiles = case.wheels(len(wheelsets))
     found: dict[str, Any] = {}
@@ -74,7 +74,7 @@ def _wheels_by_profile(
     return list(found.values())
 
 
-def _vehicle_of(run: "Run") -> "Vehicle":
+def vehicle_of(run: "Run") -> "Vehicle":
     """The vehicle of a run."""
     from vehicles.stored import from_json
 
@@ -86,7 +86,7 @@ def films_of(run: "Run") -> "WearFilms":
     """The lubricant of a run, by its case; and its wheelsets."""
     from damage.wear.films import WearFilms
 
-    described = _vehicle_of(run)
+    described = vehicle_of(run)
     table = inputs.case_of(run).film_table(len(described.wheelsets))
     units = [wheelset.unit for wheelset in described.wheelsets]
     return WearFilms(table, tuple(units.count(unit) for unit in described.units))

@@ -1,5 +1,6 @@
 """What ``hh-exudyn damage`` says about a run: its early end, its lubricant, rows that are left out."""
 
+import math
 from importlib import resources
 from pathlib import Path
 
@@ -22,6 +23,14 @@ QUICK = ("--theory", "fastsim")
 def without_figures(monkeypatch: pytest.MonkeyPatch) -> None:
     """They take seconds, and are looked at elsewhere."""
     monkeypatch.setattr("hh_exudyn.cli.damage._figures", lambda *_: {})
+
+
+def one_wheelset() -> str:
+    """A case whose whole vehicle is the run's one wheelset, on a straight."""
+    return (
+        'name = "one"\nvehicle = "suspended_wheelset"\nspeed_km_h = 54.0\nfriction = 0.4\n\n'
+        '[[track.sections]]\nkind = "straight"\nlength_m = 30.0\n'
+    )
 
 
 def damage(run: Path, *words: str) -> tuple[str, list[dict[str, object]]]:
@@ -90,3 +99,26 @@ def test_a_gap_is_left_out_and_said(tmp_path: Path) -> None:
     assert "no rows between time = 0.796 and 1.2 s, where they are 0.004 s apart" in printed
     for one, other in zip(whole, rows, strict=True):  # per kilometre, so that the gap must not count
         assert other["worn_area_mm2_per_km"] == pytest.approx(one["worn_area_mm2_per_km"])
+
+
+def test_rails_by_element_and_per_gross_tonne(tmp_path: Path) -> None:
+    """The steady patch wears both rails alike; their names follow the curve; the wheels stay as they are."""
+    run = rolling_run(tmp_path / "run", one_wheelset(), y_rail=2e-3)
+    alone = damage(run)[1]
+    printed, rows = damage(run, "--rails", "--rail-material", "R350HT")
+    assert rows == alone
+    out = max(tmp_path.glob("out-*"), key=lambda path: path.stat().st_mtime_ns)
+    found = pyarrow.csv.read_csv(out / "rails.csv").to_pylist()
+    assert [(row["element"], row["rail"]) for row in found] == [("straight", "left"), ("straight", "right")]
+    assert found[0]["worn_area_mm2_per_MGT"] == pytest.approx(found[1]["worn_area_mm2_per_MGT"])
+    # one passing of one wheel on the rail is one revolution of it, by the ratio of hardness (ER7: 235 HB)
+    turns_per_km = 1e3 / (2.0 * math.pi * 0.4575)
+    area = alone[0]["worn_area_mm2_per_km"] / turns_per_km * 235 / 370
+    passings = 1e6 / found[0]["vehicle_mass_t"]
+    assert found[0]["worn_area_mm2_per_MGT"] == pytest.approx(area * passings, rel=1e-6)
+    assert "Damage of the rails in 100 MGT by element of the track" in printed
+    assert "rails: R350HT; a million gross tonnes (MGT) are" in printed
+    assert (out / "rail_wear.png").is_file()
+    refused = call("damage", run, "--rails", "--rail-material", "R400")
+    assert refused.exit_code == 2
+    assert "rail material 'R400' is not known" in refused.stderr

@@ -8,6 +8,7 @@ import typer
 from command_line import call
 
 from damage.material import wheel_materials
+from damage.rails.steel import rail_materials
 from damage.surface.patch_field import DAMAGE_THEORIES
 from damage.wear.archard import SURFACES
 from damage.wear.laws import law_names, law_record
@@ -22,6 +23,7 @@ OFFERED = {
     "patch": (("patch",), THEORIES),
     "theories of damage": (("damage",), DAMAGE_THEORIES),
     "steels": (("damage",), wheel_materials()),
+    "rail steels": (("damage",), rail_materials()),
     "wear laws": (("damage",), [name for name in law_names() if not law_record(name).needs_options]),
     "surfaces": (("damage",), SURFACES),
     "wheels": (("conicity",), WHEEL_PROFILES),

@@ -15,3 +15,10 @@ def main(folder: str, count: int, quick: int) -> None:
     work = [replace(task, size=float(count - i)) for i, task in enumerate(work)]  # the quick ones first
     with ProcessWorkers(1) as workers, ResultFolder(folder, "ours", CODE) as results:
         evaluate_all(work, evaluate, results, workers)
+
+
+def to_be_killed(folder: str, count: int, seconds: float) -> None:
+    """A campaign in a process of its own, of many short evaluations by two workers."""
+    work = tasks([Payload(1.0 + i, seconds) for i in range(count)])
+    with ProcessWorkers(2) as workers, ResultFolder(folder, "ours", CODE) as results:
+        evaluate_all(work, evaluate, results, workers)

@@ -30,12 +30,18 @@ of many replicates. The error of what is computed with them is that of sampling,
 `collective`       `Collective`: all weighted strata and cases of a plan, assumed numbers, halving of axes
 `listing`          the strata as a table
 `sampling`         errors of weighted sums, and which case is the next
+`sizing`           replicates bought until a stated error or a budget: `size`
+`refinement`       the discretisation error of an axis, by halving its steps
+`nearest`          the replicates for a loop: those nearest to the mean of all
+`bought`           what has been evaluated, nothing twice
 =================  ==================================================================================
 """
 
+from hh_exudyn.campaign.collective.bought import through_cases
 from hh_exudyn.campaign.collective.collective import Collective
 from hh_exudyn.campaign.collective.plan import HALVED, Films, Plan
 from hh_exudyn.campaign.collective.plan_file import plan_of_text, read_plan
+from hh_exudyn.campaign.collective.sizing import Quantity, Sizing, size
 from hh_exudyn.campaign.collective.strata import Stratum
 from hh_exudyn.campaign.collective.template import template_text
 from hh_exudyn.campaign.collective.weighted import WeightedCase, WeightedStratum
@@ -45,10 +51,14 @@ __all__ = [
     "Collective",
     "Films",
     "Plan",
+    "Quantity",
+    "Sizing",
     "Stratum",
     "WeightedCase",
     "WeightedStratum",
     "plan_of_text",
     "read_plan",
+    "size",
     "template_text",
+    "through_cases",
 ]

@@ -168,8 +168,9 @@ class Collective:
     ) -> tuple[WeightedStratum, ...]:
         """The strata of one replicate with the whole weight: the cases of one evaluation of a loop.
 
-        Their irregularity and points are the same at every call (common random numbers), and their damage
-        differs from that of all replicates by the sampling error of one.
+        Their irregularity and points are the same at every call (common random numbers). Their damage differs
+        from that of all replicates by the sampling error of one: a loop that takes another replicate in every
+        step averages over these errors, one that takes the same keeps it (`nearest` chooses a good one).
 
         Parameters
         ----------
@@ -282,7 +283,19 @@ class Collective:
         kinds = tuple((kind, place, members) for kind, members in group.kinds for place in places)
         return _Axes(geometries, kinds, gauges, seasons, running.speeds, running.hauls, shares)
 
-    def _of_group(self, running: Running, group: Group, replicate: int) -> Iterator[WeightedStratum]:
+    def _of_group(self, running: Running, group: Group, replicate: int) -> tuple[WeightedStratum, ...]:
+        """The strata of one sample of a group, made once."""
+        key = running.name, group.name, replicate
+        if key not in self._samples:
+            self._samples[key] = tuple(self._sample(running, group, replicate))
+        return self._samples[key]
+
+    @cached_property
+    def _samples(self) -> dict[tuple[str, str, int], tuple[WeightedStratum, ...]]:
+        """By running, group and replicate."""
+        return {}
+
+    def _sample(self, running: Running, group: Group, replicate: int) -> Iterator[WeightedStratum]:
         """The strata of one sample of a group."""
         axes = self._axes(running, group)
         for levels, share in self._cells(running, group, axes, replicate):

@@ -211,26 +211,37 @@ def next_samples(estimates: Estimates, scale: FloatArray, more: int) -> IntArray
 
 
 def samples_to_error(
-    estimates: Estimates, allowed: FloatArray, budget: int, confidence: float = 0.95
-) -> IntArray:
+    estimates: Estimates, allowed: FloatArray, budget: float, confidence: float = 0.95,
+    cost: FloatArray | None = None,
+) -> IntArray:  # fmt: skip
     """Samples to add to each stratum until every half width is within `allowed`, or the budget is spent.
+
+    One by one where the gain over the cost is largest, among those that the rest of the budget pays for.
 
     Parameters
     ----------
     estimates : Estimates
         What is known so far.
     allowed : (quantities,) array
-        Half width of the interval of confidence, in the unit of each quantity, > 0.
-    budget : int
-        Most samples to add.
+        Half width of the interval of confidence, in the unit of each quantity, > 0; infinite for any.
+    budget : float
+        Most to spend, in the unit of the cost.
     confidence : float
         As `Estimates.half_width`.
+    cost : (strata,) array or None
+        Of one sample of each stratum, > 0; None: 1.
     """
-    known = estimates
-    for _ in range(budget):
-        if np.all(known.half_width(confidence) <= allowed):
+    each = np.ones(len(estimates.weight)) if cost is None else cost
+    known, spent = estimates, 0.0
+    while not np.all(known.half_width(confidence) <= allowed):
+        gain = np.where(spent + each <= budget, known.gains(allowed) / each, 0.0)
+        best = int(np.argmax(gain))
+        if gain[best] == 0.0:
             break
-        known = known.with_samples(known.count + next_samples(known, allowed, 1))
+        spent += float(each[best])
+        count = known.count.copy()
+        count[best] += 1
+        known = known.with_samples(count)
     return known.count - estimates.count
 
 

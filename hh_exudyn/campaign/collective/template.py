@@ -10,6 +10,8 @@ from vehicles.catalogue import vehicle, vehicle_names
 from vehicles.start import start_front
 
 _MERGED = 'merged_classes = [["350:400", "400:450"], ["600:800", "800:1000"]]\n'
+_FEWER = 2  # groups than classes by merging
+_RUNS = 20  # an evaluation: 4 h on two cores are some 2,400 runs, for 60 steps with two evaluations each
 _TIGHT = ("<350", "350:400", "400:450")  # three in four of them lie on the descent to Narvik
 _MALMBANAN = "malmbanan"  # the line of which these classes are
 _FADE = 50.0  # m, of irregularities
@@ -41,7 +43,8 @@ def template_text(line: str = _MALMBANAN, vehicle_name: str = "iore_wagon_pair")
     kind = "driven" if driven else "hauled"
     speeds = read_line(line)
     texts = [_data("campaign.toml")]
-    for load in _LOADS if two or driven else _LOADS[:1]:
+    loads = _LOADS if two or driven else _LOADS[:1]
+    for load in loads:
         words = {
             "RUNNING": load if two or driven else "running",
             "VEHICLE": f"{vehicle_name}_{load}" if two else vehicle_name,
@@ -54,11 +57,13 @@ def template_text(line: str = _MALMBANAN, vehicle_name: str = "iore_wagon_pair")
         }
         texts.append(_filled(_data(f"running_{kind}.toml"), words))
     merged = _MERGED if line == _MALMBANAN else ""
+    groups = len({part.name for part in speeds.classes}) - (_FEWER if merged else 0)
     wheel = LINE_WHEELS[1 if driven else 0] if line == _MALMBANAN else "S1002"
     words = {
         "NAME": f"{vehicle_name} on {line}",
         "LINE": line,
         "MERGED": merged,
+        "RUNS": str(max(_RUNS, 2 * groups * len(loads))),
         "WHEEL": wheel,
         "APPROACH": _rounded_up(start_front(described) + _FADE),
         "RUN_OUT": _rounded_up(max(_FADE, start_front(described))),

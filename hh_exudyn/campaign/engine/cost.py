@@ -13,6 +13,40 @@ from statistics import median
 from damage.bounds import check_above_zero
 
 
+@dataclass(frozen=True)
+class Prediction:
+    """A campaign on a number of cores.
+
+    Attributes
+    ----------
+    cores
+        Number of workers.
+    wall
+        Expected time [s].
+    speedup
+        Over one worker [-].
+    bound
+        What keeps it from being faster: "cores", "longest case" or "main process".
+    """
+
+    cores: int
+    wall: float
+    speedup: float
+    bound: str
+
+    @property
+    def efficiency(self) -> float:
+        """Speed-up over cores [-]."""
+        return self.speedup / self.cores
+
+    def words(self) -> str:
+        """In a line."""
+        return (
+            f"{self.cores} cores: {self.wall / 3600.0:.2f} h, {self.speedup:.1f} times one core "
+            f"({self.efficiency:.0%}), bound by the {self.bound}"
+        )
+
+
 @dataclass
 class CostModel:
     """Expected wall times.
@@ -82,6 +116,32 @@ class CostModel:
         """
         walls = self._longest_first(sizes)
         return max(longest_share(walls, cores), serial * len(walls))
+
+    def scaling(
+        self, sizes: Sequence[float], cores: Iterable[int], evaluations: int = 1, serial: float = 0.0
+    ) -> tuple[Prediction, ...]:
+        """A loop of evaluations, each of which waits for the one before, on several numbers of cores.
+
+        Parameters
+        ----------
+        sizes
+            Of the cases of one evaluation.
+        cores
+            Numbers of workers, each as fast as those that the model has learned from.
+        evaluations
+            Number of evaluations, one after the other.
+        serial
+            As `predicted`.
+        """
+        alone = self.predicted(sizes, 1, serial)
+        longest, main = max(map(self.wall, sizes), default=0.0), serial * len(sizes)
+        found = []
+        for count in cores:
+            wall = self.predicted(sizes, count, serial)
+            bound = "main process" if wall <= main else "longest case" if wall <= longest else "cores"
+            speedup = alone / wall if wall > 0.0 else 1.0
+            found.append(Prediction(count, evaluations * wall, speedup, bound))
+        return tuple(found)
 
     def _longest_first(self, sizes: Iterable[float]) -> list[float]:
         return sorted(map(self.wall, sizes), reverse=True)

@@ -19,11 +19,14 @@ from damage.evolution.measures import ConicityTrack
 from damage.evolution.profile_wear import ProfileWear
 from damage.evolution.tolerance import tolerated_steps
 from damage.life.condition import WheelCondition
+from damage.life.places import WheelPlaces
+from hh_exudyn.campaign.collective.sizing import Sizing
 from hh_exudyn.campaign.engine.case_damage import code, evaluate_case
 from hh_exudyn.campaign.engine.mapping import Standing
 from hh_exudyn.campaign.engine.results import ResultFolder
 from hh_exudyn.campaign.engine.task import Evaluate
 from hh_exudyn.campaign.engine.workers import Workers
+from hh_exudyn.campaign.life.errors import sized, write_errors
 from hh_exudyn.campaign.life.evaluation import Evaluated, Evaluation
 from hh_exudyn.campaign.life.plan import CampaignPlan, campaign_of_text
 from hh_exudyn.campaign.life.steps import StepEnd, StepFiles
@@ -180,13 +183,54 @@ class Campaign:
             As the engine's; the campaign can be gone on with.
         """
         goal = self.plan.collective.plan.distance if distance is None else distance
-        name = hashlib.sha256(self._text.encode()).hexdigest()[:16]
-        with ResultFolder(self.directory / RESULTS, name, code()) as folder:
+        with self._results() as folder:
             try:
                 _Loop(self, folder, workers, goal, clock.monotonic() + budget, progress, evaluate).run()
             except BudgetSpent:
                 return False
         return True
+
+    def size(
+        self, workers: Workers, runs: int, error: float = 0.05,
+        progress: Callable[[Standing], None] | None = None, evaluate: Evaluate = evaluate_case,
+    ) -> Sizing:  # fmt: skip
+        """The error of the rates at the last step, with a budget of cases; `show` and `status` state it.
+
+        Parameters
+        ----------
+        workers
+            Where cases run.
+        runs
+            Most cases [-].
+        error
+            Relative half width at which buying ends [-].
+        progress, evaluate
+            As `Evaluation`.
+
+        Raises
+        ------
+        ValueError
+            No step has been made yet, or a budget too small for three samples.
+        FileExistsError, TooManyFailed, EngineStopped, OSError, KeyboardInterrupt, Terminated
+            As `run`.
+        """
+        if self.files.count == 0:
+            raise ValueError(f"{self.directory}: no step has been made yet; run the campaign first")
+        start, wheels = self.start(), self.files.conditions(self.files.count - 1)
+        profiles = {group: condition.step.profile for group, condition in wheels.items()}
+        places = {group: WheelPlaces.of(start[group].step.profile) for group in wheels}
+        with self._results() as folder:
+            evaluation = Evaluation(
+                self.plan, self.plan.of_steps.cases(), folder, workers, self.directory, progress, evaluate
+            )
+            found = sized(evaluation, profiles, places, runs, error)
+        write_errors(self.directory, found, self.files.ends()[-1].distance)
+        return found
+
+    def _results(self) -> ResultFolder:
+        """The folder of results of this file and this code."""
+        name = hashlib.sha256(self._text.encode()).hexdigest()[:16]
+        return ResultFolder(self.directory / RESULTS, name, code())
 
     def start(self) -> dict[str, WheelCondition]:
         """The wheels before the first step, by group."""
@@ -210,6 +254,7 @@ class _Loop:
             plan, plan.of_steps.cases(), folder, workers, campaign.directory, self._of_cases, evaluate
         )
         self._made: list[Evaluated] = []
+        self._latest: Evaluated | None = None  # of the step before: its rates begin the next one
         self._distance = self._first = 0.0
         self._number = 0
 
@@ -221,7 +266,7 @@ class _Loop:
         wheels = files.conditions(self._number)
         if end.turned:
             wheels = self._turned(files.conditions(self._number - 1), wheels, start)[0]
-        self._evaluation.go_on(end.evaluation)
+        self._latest = self._evaluation.go_on(end.evaluation) if end.evaluation else None
         self._distance = self._first = end.distance
         while self._goal - self._distance > _LAST * self._goal:
             self._number += 1
@@ -243,7 +288,9 @@ class _Loop:
 
         now = tuple(condition.step for condition in wheels.values())
         steps = tolerated_steps(now, groups, wear_of, self._goal, plan.step, ConicityTrack())
-        first, last = self._made[0].rates, self._made[-1].rates
+        begun = self._latest if all(step.next_rate is not None for step in now) else None
+        first, last = (begun or self._made[0]).rates, self._made[-1].rates
+        self._latest = self._made[-1]
         return {
             group: after_step(wheels[group], step, first[group], last[group])
             for group, step in zip(groups, steps, strict=True)
@@ -271,7 +318,7 @@ class _Loop:
         made = self._made
         failed = {one for evaluated in made for one in evaluated.failed}
         return StepEnd(
-            self._distance, made[-1].digest, made[0].digest, len(made),
+            self._distance, made[-1].digest, len(made),
             sum(one.ran for one in made), sum(one.reused for one in made), tuple(sorted(failed)),
             turned_rows,
         )  # fmt: skip

@@ -12,6 +12,7 @@ import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from hh_exudyn.campaign.collective.films import wear_films
 from hh_exudyn.campaign.collective.weighted import WeightedCase
@@ -98,7 +99,7 @@ class Evaluation:
         directory: Path, progress: Callable[[Standing], None] | None = None,
         evaluate: Evaluate = evaluate_case,
     ) -> None:  # fmt: skip
-        self._plan, self._folder, self._workers = plan, folder, workers
+        self.plan, self._folder, self._workers = plan, folder, workers
         self._records, self._progress = directory / EVALUATIONS, progress
         self.profiles = ProfileFiles(directory / PROFILES)
         self._evaluate = evaluate
@@ -107,9 +108,16 @@ class Evaluation:
         self._rates: dict[tuple[str, str], Mapping[str, GroupRates]] = {}
         self._made: dict[tuple[object, ...], Task] = {}
 
-    def go_on(self, digest: str) -> None:
-        """Remember what the evaluation of a record had run, as if it had just been made; "" for none."""
-        self._last = self._record(digest) or {}
+    def go_on(self, digest: str) -> Evaluated | None:
+        """The evaluation of a record, as if it had just been made; None where there is no such record.
+
+        Parameters
+        ----------
+        digest
+            `Evaluated.digest`.
+        """
+        content = self._content(digest)
+        return None if content is None else self._evaluated(digest, content["profiles"])
 
     def __call__(self, profiles: GroupProfiles) -> Evaluated:
         """The rates for profiles by group.
@@ -122,7 +130,11 @@ class Evaluation:
             As `evaluate_all`; what was run is kept.
         """
         digests = {group: self.profiles.put(profile) for group, profile in sorted(profiles.items())}
-        digest = hashlib.sha256(json.dumps(digests, sort_keys=True).encode()).hexdigest()[:16]
+        text = json.dumps(digests, sort_keys=True)
+        return self._evaluated(hashlib.sha256(text.encode()).hexdigest()[:16], digests)
+
+    def _evaluated(self, digest: str, digests: Mapping[str, str]) -> Evaluated:
+        """The evaluation of profiles by group, recorded or new."""
         recorded = self._record(digest)
         found = recorded if recorded is not None else self._planned(digests)
         self._evaluate_missing(found)
@@ -137,6 +149,36 @@ class Evaluation:
         }
         return Evaluated(digest, rates, rows, ran, len(found) - ran, self._failed(found))
 
+    def rates_of_cases(
+        self, cases: Sequence[WeightedCase], profiles: GroupProfiles
+    ) -> list[Mapping[str, GroupRates]]:
+        """Rates of other cases than those of the steps, for profiles by group.
+
+        Parameters
+        ----------
+        cases
+            Of the campaign's collective, such as further samples.
+        profiles
+            By group.
+
+        Raises
+        ------
+        TooManyFailed
+            One of them has no result: an error cannot be told without.
+        ValueError, EngineStopped, OSError, KeyboardInterrupt, Terminated
+            As a call.
+        """
+        digests = {group: self.profiles.put(profile) for group, profile in sorted(profiles.items())}
+        slots = [_slot(self.plan, weighted) for weighted in cases]
+        tasks = {}
+        for slot in slots:
+            own = {group: digests[group] for group in sorted(set(slot.groups.values()))}
+            tasks[slot.name] = self._task(slot, own)
+        evaluate_all(
+            list(tasks.values()), self._evaluate, self._folder, self._workers, progress=self._progress
+        )
+        return [self._rates_of(slot, tasks[slot.name].key) for slot in slots]
+
     def _evaluate_missing(self, found: Mapping[str, LastRun]) -> None:
         """Evaluate what has no result yet; raises TooManyFailed for more weight than is allowed."""
         wanted = {}
@@ -149,7 +191,7 @@ class Evaluation:
             failing_weight=1.0, progress=self._progress,
         )  # fmt: skip
         failed = self._failed(found)
-        lost, allowed = sum(weight for _, weight, _ in failed), self._plan.failing_weight
+        lost, allowed = sum(weight for _, weight, _ in failed), self.plan.failing_weight
         if lost > allowed * (1.0 + 1e-9):
             named = "; ".join(f"{name} (weight {weight:.3g}): {reason}" for name, weight, reason in failed)
             raise TooManyFailed(
@@ -189,11 +231,11 @@ class Evaluation:
         """Whether the result of a last run stands for other profiles; of a failed case only for its own."""
         if dict(last.profiles) == dict(own):
             return True
-        if self._plan.unmoved == 0.0 or self._folder.failure(last.key) is not None:
+        if self.plan.unmoved == 0.0 or self._folder.failure(last.key) is not None:
             return False
         before = {group: self.profiles.read(digest) for group, digest in last.profiles.items()}
         now = {group: self.profiles.read(digest) for group, digest in own.items()}
-        return not has_moved(before, now, self._rates_of(slot, last.key), self._plan.unmoved)
+        return not has_moved(before, now, self._rates_of(slot, last.key), self.plan.unmoved)
 
     def _task(self, slot: _Slot, digests: Mapping[str, str]) -> Task:
         """The task of a slot with given profiles of its groups; making one takes some 0.1 s."""
@@ -214,7 +256,7 @@ class Evaluation:
         case = weighted.case.with_changes(wheel_profiles=wheels)
         parts = tuple(Part(part.name, part.start, part.end) for part in weighted.parts)
         films = wear_films(weighted.case, weighted.films)
-        return CaseWork(case, parts, self._plan.damage, films, scratch=self._folder.scratch)
+        return CaseWork(case, parts, self.plan.damage, films, scratch=self._folder.scratch)
 
     def _rows(self, found: Mapping[str, LastRun]) -> list[tuple[WeightedCase, Mapping[str, GroupRates]]]:
         """Rates of all weighted cases that have a result."""
@@ -232,9 +274,14 @@ class Evaluation:
             self._rates[key, slot.name] = rates_of_case(sums, slot.weighted, slot.vehicle, slot.groups)
         return self._rates[key, slot.name]
 
+    def _content(self, digest: str) -> dict[str, Any] | None:
+        """What the record of an evaluation holds; None where it was not made, or not to its end."""
+        return _content_of(self._records / f"{digest}.json")
+
     def _record(self, digest: str) -> dict[str, LastRun] | None:
-        """Results of an evaluation by slot; None where it was not made, or not to its end."""
-        return _read_record(self._records, digest)
+        """Results of an evaluation by slot."""
+        content = self._content(digest)
+        return None if content is None else _last_runs(content)
 
     def _write(self, digest: str, digests: Mapping[str, str], found: Mapping[str, LastRun]) -> None:
         cases = {name: {"key": last.key, "profiles": dict(last.profiles)} for name, last in found.items()}
@@ -264,9 +311,10 @@ def recorded_rates(
     FileNotFoundError, BrokenFile
         A result is gone, or is not what was written.
     """
-    found = _read_record(directory / EVALUATIONS, digest)
+    content = _content_of(directory / EVALUATIONS / f"{digest}.json")
+    found = {} if content is None else _last_runs(content)
     slots = [_slot(plan, weighted) for weighted in plan.of_steps.cases()]
-    if found is None or any(slot.name not in found for slot in slots):
+    if any(slot.name not in found for slot in slots):
         raise ValueError(f"{directory}: holds no evaluation {digest!r} of the cases of its file")
     rates: dict[str, Mapping[str, GroupRates]] = {}
     rows = []
@@ -280,12 +328,17 @@ def recorded_rates(
     return tuple(rows)
 
 
-def _read_record(records: Path, digest: str) -> dict[str, LastRun] | None:
-    """Results of an evaluation by slot; None where it was not made, or not to its end."""
+def _content_of(path: Path) -> dict[str, Any] | None:
+    """What a record holds; None where there is none."""
     try:
-        content = json.loads((records / f"{digest}.json").read_text(encoding="utf-8"))
+        found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
         return None
+    return found
+
+
+def _last_runs(content: Mapping[str, Any]) -> dict[str, LastRun]:
+    """Results of a record by slot."""
     return {name: LastRun(one["key"], one["profiles"]) for name, one in content["cases"].items()}
 
 

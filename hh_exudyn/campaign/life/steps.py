@@ -27,9 +27,8 @@ class StepEnd:
     distance
         Since the start [m].
     evaluation
-        Name of the last evaluation before the end (`hh_exudyn.campaign.life.evaluation`).
-    start
-        Name of the evaluation at the start of the step; "" for the first state, before any step.
+        Name of the last evaluation, on a first guess of the wheels at the end of the step
+        (`hh_exudyn.campaign.life.evaluation`): the next step begins with its rates; "" before any step.
     evaluations, ran, reused
         Evaluations of this step, and cases run and not run again in them [-].
     failed
@@ -40,7 +39,6 @@ class StepEnd:
 
     distance: float
     evaluation: str = ""
-    start: str = ""
     evaluations: int = 0
     ran: int = 0
     reused: int = 0

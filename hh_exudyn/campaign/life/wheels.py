@@ -1,7 +1,7 @@
 """Wheels of a campaign over a step: new ones, cracks that grow and wear off, turning at a limit.
 
-Wear is that of the accepted step; cracks grow, and layers wear off, at the mean of the rates at the start of
-the step and on its first guess of the end.
+Wear is that of the accepted step; cracks grow, and layers wear off, at the mean of the rates with which the
+step begins and those on its first guess of the end.
 
 A limit that is reached within a step is reported at its distance there; the wheels run on to the end of the
 step, and are turned then. Wheels at their end are replaced by new ones, and the campaign goes on.

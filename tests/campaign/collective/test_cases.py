@@ -178,7 +178,7 @@ def test_a_case_runs_over_all_its_parts(tmp_path: Path) -> None:
     from hh_exudyn.log.store import open_run
     from hh_exudyn.multibody.simulate import simulate
 
-    text = template_text("malmbanan", "iore_wagon_loaded").replace("body_m = 100.0", "body_m = 30.0")
+    text = template_text("malmbanan", "iore_wagon_loaded").replace("body_m = 60.0", "body_m = 30.0")
     collective = Collective(plan_of_text(text))
     (found,) = collective.cases([first(collective, lambda s: s.curve_class == "<350")])
     simulate(found.case, tmp_path / "run")

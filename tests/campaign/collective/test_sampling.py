@@ -99,6 +99,16 @@ def test_samples_are_added_until_the_error_or_the_budget() -> None:
     assert samples_to_error(start, np.array([1e3]), 7).sum() == 0
 
 
+def test_what_is_dear_is_bought_less() -> None:
+    """Two strata alike but for the price of a sample: the cheap one gets more, and the budget is kept."""
+    known = Estimates(np.array([0.5, 0.5]), np.ones((2, 1)), np.ones((2, 1)), np.array([3, 3]))
+    cost = np.array([1.0, 4.0])
+    more = samples_to_error(known, np.array([1e-6]), 100.0, cost=cost)
+    assert more @ cost == pytest.approx(100.0, abs=1.0)
+    count = 3 + more
+    assert count[0] / count[1] == pytest.approx(2.0, rel=0.1)  # as W s over the root of the cost
+
+
 def test_the_quantity_furthest_from_its_error_leads() -> None:
     spread = np.array([[1.0, 0.0], [0.0, 1.0]])
     known = Estimates(np.array([0.5, 0.5]), np.ones((2, 2)), spread, np.array([3, 3]))

@@ -2,6 +2,7 @@
 
 import math
 from collections import defaultdict
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -155,3 +156,10 @@ def test_one_replicate_is_unbiased_with_an_error_that_three_state(many: Collecti
         total = few.total[0] * 20.0  # of three replicates of 60, each with a 60th of the weight
         hits += abs(total - exact) <= 20.0 * few.half_width()[0]
     assert hits >= 17  # 95 % of 20 is 19
+
+
+def test_the_template_of_any_line_has_runs_for_all_its_groups() -> None:
+    quarry = Path(__file__).parents[2] / "track" / "line" / "quarry_line.toml"
+    for vehicle in ("iore_wagon_pair", "iore_wagon_loaded", "iore_locomotive"):
+        found = Collective(plan_of_text(template_text(str(quarry), vehicle)))
+        assert sum(item.weight for item in found.replicate()) == pytest.approx(1.0, abs=1e-12)

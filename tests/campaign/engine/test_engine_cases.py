@@ -1,11 +1,19 @@
 """Real cases through processes give the bytes of a serial run; keys follow content; the cost model."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from hh_exudyn.campaign.engine.case_damage import CaseWork, Part, case_task, code, evaluate_case
+from hh_exudyn.campaign.engine.case_damage import (
+    CaseWork,
+    Part,
+    case_task,
+    code,
+    evaluate_case,
+    part_sums,
+)
 from hh_exudyn.campaign.engine.cost import CostModel, longest_share
 from hh_exudyn.campaign.engine.mapping import evaluate_all, weighted_sum
 from hh_exudyn.campaign.engine.results import ResultFolder
@@ -14,6 +22,7 @@ from hh_exudyn.campaign.engine.workers import ProcessWorkers
 from hh_exudyn.case import Case, StraightCase, TrackCase
 from hh_exudyn.contact.profile import wheel_profile
 from hh_exudyn.contact.profiles.writer import write_profile
+from hh_exudyn.log.store import open_run
 
 PARTS = (Part("first", 20.0, 30.0), Part("second", 30.0, 45.0))
 
@@ -81,3 +90,30 @@ def test_predictions_for_other_numbers_of_cores() -> None:
     assert cost.left([2.0, 2.0], [(3.0, 1.0)], 2) == pytest.approx(4.0)
     with pytest.raises(ValueError, match="cores = 0"):
         longest_share([1.0], 0)
+
+
+def test_what_16_and_256_cores_do_for_a_loop_of_evaluations() -> None:
+    """20 cases of 9 s, twice the time guessed: evaluations wait for each other, so 20 cores are enough."""
+    cost = CostModel()
+    cost.learn(1.0, 2.0)
+    few = cost.scaling([4.5] * 20, (1, 2, 16, 256), evaluations=120)
+    assert [p.wall for p in few] == pytest.approx([120 * 180.0, 120 * 90.0, 120 * 18.0, 120 * 9.0])
+    assert [p.speedup for p in few] == pytest.approx([1.0, 2.0, 10.0, 20.0])
+    assert [p.bound for p in few] == ["cores", "cores", "cores", "longest case"]
+    assert few[3].words() == "256 cores: 0.30 h, 20.0 times one core (8%), bound by the longest case"
+    many = cost.scaling([4.5] * 5120, (16, 256), serial=0.05)  # the main process keeps 20 results a second
+    assert many[0].efficiency == pytest.approx(1.0)
+    assert (many[1].bound, many[1].speedup) == ("main process", pytest.approx(180.0))
+
+
+@pytest.mark.slow
+def test_a_run_folder_is_kept_where_that_is_asked_for(tmp_path: Path) -> None:
+    """The log of the folder gives the sums of the evaluation; a second one takes the place of the first."""
+    work = replace(straight(0.3), keep_logs=tmp_path / "logs", scratch=tmp_path / "scratch")
+    assert work.key == straight(0.3).key  # keeping changes no result
+    for _ in range(2):
+        sums = evaluate_case(work)
+        kept = list((tmp_path / "logs").iterdir())
+        assert [folder.name for folder in kept] == [work.key]
+        assert to_bytes(part_sums(open_run(kept[0]).contact(), work), work.key) == to_bytes(sums, work.key)
+        assert list((tmp_path / "scratch").iterdir()) == []

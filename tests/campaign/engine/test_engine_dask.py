@@ -1,10 +1,15 @@
 """The engine on a Dask cluster of this machine: the same files, and a worker that dies or hangs."""
 
+import json
+import os
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+from processes import wait_for
 from stand_in import CODE, Payload, evaluate, tasks
 
 from hh_exudyn.campaign.engine.cost import CostModel
@@ -65,6 +70,57 @@ def test_a_scheduler_that_goes_away_stops_with_a_folder_to_go_on_with(cluster: A
         report = evaluate_all(work, evaluate, folder, workers)
     assert report.count == COUNT
     assert report.reused >= 1
+
+
+@pytest.fixture
+def begun(tmp_path: Path) -> "Iterator[tuple[str, subprocess.Popen[bytes]]]":
+    """A scheduler and a worker in processes of their own: its address, and its process."""
+    known = tmp_path / "scheduler.json"
+    words = [sys.executable, "-m", "dask"]
+    own = [*words, "scheduler", "--port", "0", "--no-dashboard", "--scheduler-file", str(known)]
+    of_worker = [*words, "worker", "--nthreads", "1", "--no-dashboard", "--scheduler-file", str(known)]
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+    quiet = {"env": environment, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+    scheduler = subprocess.Popen(own, **quiet)
+    worker = subprocess.Popen([*of_worker, "--local-directory", str(tmp_path)], **quiet)
+    try:
+        wait_for(known.is_file)
+        address = json.loads(known.read_text())["address"]
+        with distributed.Client(address, set_as_default=False) as client:
+            client.wait_for_workers(1, timeout=120)
+        yield address, scheduler
+    finally:
+        for process in (worker, scheduler):
+            process.kill()
+            process.wait()
+
+
+def test_a_scheduler_that_is_killed_leaves_a_folder_to_go_on_with(
+    begun: "tuple[str, subprocess.Popen[bytes]]", tmp_path: Path
+) -> None:
+    """kill -9 after the first result; processes of this machine make the rest, with the same bytes."""
+    address, scheduler = begun
+    work = tasks([Payload(1.0 + i, 0.5) for i in range(COUNT)])
+    done: list[str] = []
+
+    def kill(standing: Any) -> None:
+        done.extend(filter(None, [standing.ended]))
+        if len(done) == 1:
+            scheduler.kill()
+
+    with (
+        DaskWorkers(address) as workers,
+        ResultFolder(tmp_path / "out", "ours", CODE) as folder,
+        pytest.raises(EngineStopped, match="run it again"),
+    ):
+        evaluate_all(work, evaluate, folder, workers, progress=kill)
+    with ProcessWorkers(2) as workers, ResultFolder(tmp_path / "out", "ours", CODE) as folder:
+        report = evaluate_all(work, evaluate, folder, workers)
+    assert (report.count, report.failures) == (COUNT, ())
+    assert report.reused >= 1
+    with ProcessWorkers(2) as workers, ResultFolder(tmp_path / "quiet", "ours", CODE) as folder:
+        evaluate_all(work, evaluate, folder, workers)
+    assert files(tmp_path / "out") == files(tmp_path / "quiet")
 
 
 def test_without_a_scheduler_that_is_said() -> None:

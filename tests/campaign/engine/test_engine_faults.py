@@ -1,16 +1,16 @@
 """What goes wrong in a campaign: workers die, hang or fail, files break, the main process is killed."""
 
+import errno
 import json
 import os
 import signal
 import subprocess
 import sys
-import time
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
+from processes import descendants, is_alive, wait_for
 from stand_in import CODE, Payload, evaluate, tasks
 
 from hh_exudyn.campaign.engine.cost import CostModel
@@ -145,6 +145,31 @@ def test_a_full_disk_stops_and_can_be_gone_on_with(tmp_path: Path, undisturbed: 
     assert contents(tmp_path / "out") == undisturbed
 
 
+def test_a_disk_that_fills_while_a_result_is_written_leaves_no_half(
+    tmp_path: Path, undisturbed: dict[str, bytes], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The main process writes results: the sixth file does not come to the disk."""
+    work, calls, sync = tasks([Payload(1.0 + i) for i in range(COUNT)]), [0], os.fsync
+
+    def full(number: int) -> None:
+        calls[0] += 1
+        if calls[0] > 12:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        sync(number)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "fsync", full)
+        with pytest.raises(OSError, match="No space left on device"):
+            in_threads(tmp_path / "out", work)
+    there = {name: text for name, text in contents(tmp_path / "out").items() if name.startswith(SUMS)}
+    whole = {name: text for name, text in there.items() if name.endswith(".npz")}
+    assert 0 < len(whole) < COUNT
+    assert whole.items() <= undisturbed.items()
+    report = in_threads(tmp_path / "out", work)
+    assert report.reused == len(whole)
+    assert contents(tmp_path / "out") == undisturbed
+
+
 @pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="the system does not list processes")
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
 def test_the_main_process_is_killed_and_its_folder_gone_on_with(
@@ -164,35 +189,9 @@ def test_the_main_process_is_killed_and_its_folder_gone_on_with(
         assert workers
     finally:
         process.send_signal(number)
-        _, said = process.communicate(timeout=20.0)
+        _, said = process.communicate(timeout=120.0)
     assert process.returncode == {signal.SIGTERM: 128 + signal.SIGTERM}.get(number, -number), said
     wait_for(lambda: not any(is_alive(worker) for worker in workers))
     report = in_threads(out, tasks([Payload(1.0 + i) for i in range(COUNT)]))
     assert (report.count, report.reused) == (COUNT, 3)
     assert contents(out) == undisturbed
-
-
-def wait_for(condition: Callable[[], bool], seconds: float = 20.0) -> None:
-    """Wait until something is so."""
-    end = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < end, "it does not come"
-        time.sleep(0.02)
-
-
-def descendants(number: int) -> list[int]:
-    """Processes that a process began, and those that they began."""
-    own = [
-        int(one)
-        for file in Path(f"/proc/{number}/task").glob("*/children")
-        for one in file.read_text().split()
-    ]
-    return [*own, *(far for one in own for far in descendants(one))]
-
-
-def is_alive(number: int) -> bool:
-    """Whether a process is there, and has not ended unattended."""
-    try:
-        return Path(f"/proc/{number}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
-    except (FileNotFoundError, ProcessLookupError):
-        return False

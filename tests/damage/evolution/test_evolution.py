@@ -19,6 +19,7 @@ from hh_exudyn.contact.profiles.writer import write_profile
 
 WP4 = wheel_profile("WP4_like")
 RADIUS = 0.4575
+LIMITS = StepControl()
 WORN_FILES = (
     "worn_high_mileage.prw", "Car7216_0001r.whl", "Car7422_0001r.whl", "left-wheel-v1-pre-dry.whl",
 )  # fmt: skip
@@ -38,10 +39,10 @@ def tread(depth_per_km: float) -> ProfileWear:
 
 def test_steps_end_at_depth_or_distance(tmp_path: Path) -> None:
     """8.9 um per 1000 km: 1500 km come first, with 100 um per 1000 km it is 0.1 mm after 1000 km."""
-    slow = evolve(WP4, RADIUS, even(8.9e-9), 4000e3, tmp_path / "slow")
+    slow = evolve(WP4, RADIUS, even(8.9e-9), 4000e3, tmp_path / "slow", LIMITS)
     assert [step.distance for step in slow.steps] == pytest.approx([0.0, 1500e3, 3000e3, 4000e3])
     assert slow.last.depth == pytest.approx(8.9e-6, rel=1e-9)
-    fast = evolve(WP4, RADIUS, even(100e-9), 2500e3, tmp_path / "fast")
+    fast = evolve(WP4, RADIUS, even(100e-9), 2500e3, tmp_path / "fast", LIMITS)
     assert [step.distance for step in fast.steps] == pytest.approx([0.0, 1000e3, 2000e3, 2500e3])
     assert [step.depth for step in fast.steps] == pytest.approx([0.0, 1e-4, 1e-4, 0.5e-4])
     control = StepControl(max_depth=1e-3, max_distance=2500e3)
@@ -109,10 +110,10 @@ def test_it_goes_on_where_it_stopped(tmp_path: Path) -> None:
             raise KeyboardInterrupt
         return wear_of(profile)
 
-    whole = evolve(WP4, RADIUS, wear_of, 4500e3, tmp_path / "whole")
+    whole = evolve(WP4, RADIUS, wear_of, 4500e3, tmp_path / "whole", LIMITS)
     asked.clear()
     with pytest.raises(KeyboardInterrupt):
-        evolve(WP4, RADIUS, stopping, 4500e3, tmp_path / "cut")
+        evolve(WP4, RADIUS, stopping, 4500e3, tmp_path / "cut", LIMITS)
     (tmp_path / "cut" / "step-00003.tmp").write_bytes(b"half a step")
     assert len(read_history(tmp_path / "cut").steps) == 3
     said: list[tuple[float, str]] = []
@@ -122,6 +123,7 @@ def test_it_goes_on_where_it_stopped(tmp_path: Path) -> None:
         wear_of,
         4500e3,
         tmp_path / "cut",
+        LIMITS,
         progress=lambda done, text: said.append((done, text)),
     )
     assert len(asked) == len(set(asked)) == len(whole.steps) - 1
@@ -140,12 +142,12 @@ def _same(one: WearHistory, other: WearHistory) -> None:
 
 
 def test_a_directory_is_one_wheels(tmp_path: Path) -> None:
-    evolve(WP4, RADIUS, even(1e-8), 1500e3, tmp_path)
+    evolve(WP4, RADIUS, even(1e-8), 1500e3, tmp_path, LIMITS)
     with pytest.raises(ValueError, match=r"'WP4_like' with a radius of 457\.5 mm; it cannot .* 'S1002'"):
-        evolve(wheel_profile("S1002"), RADIUS, even(1e-8), 1500e3, tmp_path)
+        evolve(wheel_profile("S1002"), RADIUS, even(1e-8), 1500e3, tmp_path, LIMITS)
     with pytest.raises(ValueError, match="'WP4_like' and 440 mm"):
-        evolve(WP4, 0.44, even(1e-8), 1500e3, tmp_path)
-    evolve(WP4, RADIUS, even(1e-8), 3000e3, tmp_path)
+        evolve(WP4, 0.44, even(1e-8), 1500e3, tmp_path, LIMITS)
+    evolve(WP4, RADIUS, even(1e-8), 3000e3, tmp_path, LIMITS)
     (tmp_path / "step-00001.npz").unlink()
     with pytest.raises(ValueError, match=r"2 steps up to step-00002\.npz, some are missing"):
         read_history(tmp_path)
@@ -156,14 +158,14 @@ def test_a_directory_is_one_wheels(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("share", [0.0, 0.5, 0.99])
 def test_a_step_that_is_cut_off_names_file_and_remedy(tmp_path: Path, share: float) -> None:
-    whole = evolve(WP4, RADIUS, even(1e-8), 3000e3, tmp_path)
+    whole = evolve(WP4, RADIUS, even(1e-8), 3000e3, tmp_path, LIMITS)
     last = tmp_path / f"step-{len(whole.steps) - 1:05d}.npz"
     content = last.read_bytes()
     last.write_bytes(content[: int(share * len(content))])
     with pytest.raises(ValueError, match=rf"{last.name}: .* delete it and all later steps"):
         read_history(tmp_path)
     last.unlink()
-    _same(evolve(WP4, RADIUS, even(1e-8), 3000e3, tmp_path), whole)
+    _same(evolve(WP4, RADIUS, even(1e-8), 3000e3, tmp_path, LIMITS), whole)
 
 
 @pytest.mark.parametrize(
@@ -251,9 +253,9 @@ def test_a_distance_that_is_none_is_refused(tmp_path: Path, distance: float) -> 
 
 @pytest.mark.parametrize("distance", [math.nan, math.inf, 1000.0])
 def test_a_folder_whose_distances_do_not_increase_is_refused(tmp_path: Path, distance: float) -> None:
-    history = evolve(WP4, RADIUS, even(60e-9), 4000e3, tmp_path)
+    history = evolve(WP4, RADIUS, even(60e-9), 4000e3, tmp_path, LIMITS)
     write_step(tmp_path, 2, replace(history.steps[2], distance=distance))
     with pytest.raises(
         ValueError, match=r"step-00002.npz: distance = .* must be finite and above 1.5e\+06 m"
     ):
-        evolve(WP4, RADIUS, even(60e-9), 5000e3, tmp_path)
+        evolve(WP4, RADIUS, even(60e-9), 5000e3, tmp_path, LIMITS)

@@ -129,7 +129,8 @@ def test_wheels_wear_together_in_one_step() -> None:
     np.testing.assert_array_equal(worse.profile.z, alone.profile.z)
     assert (mild.distance, mild.next_distance) == (alone.distance, alone.next_distance)
     assert mild.depth == pytest.approx(0.1 * worse.depth, rel=0.1)
-    assert mild.diffusivity < worse.diffusivity
+    assert mild.next_rate is not None and worse.next_rate is not None
+    assert mild.next_rate.max() == pytest.approx(0.1 * worse.next_rate.max(), rel=0.1)
     assert mild.profile.name.startswith("mild after ")
     assert asked[0] == (WP4, WP4)
     assert asked.count(asked[0]) == 1
@@ -220,16 +221,26 @@ def test_one_step_of_a_fixed_depth_makes_the_notch(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_a_life_on_the_bench(tmp_path: Path) -> None:
-    """150,000 km in at most 60 steps; twice the tolerance changes tread < 5 %, root < 10 %."""
-    lives = [
-        evolve(WP4, R0, life_wear, 150e6, tmp_path / name, tolerance)
-        for name, tolerance in (("twice", StepTolerance(20e-6, 0.2, 0.04)), ("whole", StepTolerance()))
+    """150,000 km in at most 60 steps, of one evaluation each but for refused tries; half the tolerance
+    changes tread < 5 %, flange < 10 %, and moves the front of wear towards the flange by less than 0.3 mm."""
+    asked = 0
+
+    def counted(wheel: Profile) -> ProfileWear:
+        nonlocal asked
+        asked += 1
+        return life_wear(wheel)
+
+    whole = evolve(WP4, R0, counted, 150e6, tmp_path / "whole", StepTolerance())
+    assert len(whole.steps) - 1 <= 60
+    assert asked <= 1.3 * len(whole.steps)
+    half = evolve(WP4, R0, life_wear, 150e6, tmp_path / "half", StepTolerance(5e-6, 0.05, 0.01))
+    y = np.linspace(-0.01, 0.038, 481)
+    worn = [
+        np.interp(y, life.last.profile.y, life.last.profile.z) + lost(life) - np.interp(y, WP4.y, WP4.z)
+        for life in (whole, half)
     ]
-    assert len(lives[1].steps) - 1 <= 60
-    for y, change in ((0.0, 0.05), (0.01, 0.05), (0.025, 0.10), (0.030, 0.10)):
-        worn = [
-            float(np.interp(y, life.last.profile.y, life.last.profile.z)) + lost(life)
-            - float(np.interp(y, WP4.y, WP4.z))
-            for life in lives
-        ]  # fmt: skip
-        assert worn[0] == pytest.approx(worn[1], rel=change), y
+    change = np.abs(worn[0] / worn[1] - 1.0)
+    assert change[y < 0.025].max() < 0.05
+    assert change[y < 0.033].max() < 0.10
+    fronts = [float(np.interp(-0.25e-3, -depth[y > 0.02], y[y > 0.02])) for depth in worn]
+    assert fronts[0] == pytest.approx(fronts[1], abs=0.3e-3)

@@ -11,7 +11,7 @@ import pytest
 from damage.model import DamageModel
 from damage.report import assess
 from damage.surface.accumulate import accumulate
-from damage.surface.lateral_grid import LateralGrid, PatchGrid, ProfileArc
+from damage.surface.lateral_grid import LateralGrid, PatchGrid
 from damage.surface.wheel_surface import WheelSurface
 from damage.wear.archard import archard
 from hh_exudyn.contact.profile import Profile, rail_profile, wheel_profile
@@ -128,7 +128,7 @@ def test_grids_are_checked(make_log: MakeLog) -> None:
         with pytest.raises(ValueError, match="different grids"):
             surface + other
     with pytest.raises(ValueError, match="is a rail's; damage needs a wheel's"):
-        ProfileArc.of(rail_profile("60E1"))
+        assess(make_log(), profile=rail_profile("60E1"))
     with pytest.raises(ValueError, match="step = 0"):
         LateralGrid.along(wedge(), 0.0)
     with pytest.raises(ValueError, match=r"step = -1\.0 m: step must"):

@@ -14,6 +14,8 @@ from damage.wear.archard import archard
 from damage.wear.films import WearFilms
 from damage.wear.laws import wear_law
 from hh_exudyn.case import Case
+from hh_exudyn.contact.friction import friction_at
+from hh_exudyn.contact.profile import wheel_profile
 
 DEMO = (resources.files("hh_exudyn") / "data" / "demo.toml").read_text(encoding="utf-8")
 SLIDING = {"a": 8e-3, "b": 6e-3, "normal_force": 100e3, "nu_x": 0.06, "speed": 15.0}
@@ -38,7 +40,7 @@ def volume(log: pyarrow.Table, film: WearFilms | None, law: str = "archard") -> 
     [(0.0, 1.0), (np.radians(25.0), 6.0), (np.radians(60.0), 100.0)],  # T p. 70: Jendel's 6, Zhu's 100
 )
 def test_grease_divides_the_wear_of_its_zone(make_log, angle, divisor):
-    """Tread below 10 degrees, root from 20 to 35, flange above 55."""
+    """Tread below 4 degrees, root from 15 to 35, flange above 55."""
     log = make_log(**SLIDING, contact_angle=angle)
     np.testing.assert_allclose(volume(log, films(**GREASED)), volume(log, None) / divisor, rtol=1e-12)
 
@@ -47,6 +49,18 @@ def test_the_passage_from_root_to_flange_is_that_of_friction(make_log):
     log = make_log(**SLIDING, contact_angle=np.radians(45.0))  # the middle of 35 to 55 degrees
     factor = 0.5 * (1.0 / 6.0 + 1.0 / 100.0)
     np.testing.assert_allclose(volume(log, films(**GREASED)), factor * volume(log, None), rtol=1e-12)
+
+
+def test_tread_and_root_blend_over_10_to_35_mm_of_a_new_wheel(make_log):
+    """By no more than 5 % of dry wear over a millimetre."""
+    factors, wheel = films(**GREASED).factors, wheel_profile("WP4_like")
+    y = 1e-3 * np.arange(5, 39)
+    angles = np.arctan(-np.interp(y, wheel.y, np.gradient(wheel.z, wheel.y)))
+    factor = np.array([friction_at(factors, 0, 0, 0.0, angle, 0.0) for angle in angles])
+    assert factor[y < 0.0095] == pytest.approx(1.0)
+    assert factor[y > 0.0355] == pytest.approx(1.0 / 6.0)
+    assert np.diff(factor).max() <= 0.0
+    assert np.diff(factor).min() > -0.05
 
 
 def test_sections_sides_and_wheelsets_have_their_own_films(make_log):
