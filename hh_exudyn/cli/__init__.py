@@ -5,6 +5,8 @@
 `run`            run, demo, playback
 `changes`        other inputs for a case: --vehicle, --set, --vary
 `matrix`         many runs at once
+`campaign`       campaigns: new, run, error, status
+`campaign_show`  what campaigns have found: show, compare
 `compare`        runs beside each other
 `elements`       tables of a run by element of its track
 `check_rails`    forces of check rails on flange backs

@@ -1,6 +1,7 @@
 """Figures of a campaign: measures over the distance, damage over the profile, and what the damage comes from."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 import pyarrow
@@ -11,7 +12,7 @@ from matplotlib.figure import Figure
 from damage.life.limits import WheelLimits
 from damage.life.places import BANDS
 from hh_exudyn.campaign.results.recorded import Recorded
-from hh_exudyn.campaign.results.tables import measures_table
+from hh_exudyn.campaign.results.tables import measures_table, profile_table
 
 SMALL = {
     "font.size": 8, "legend.fontsize": 7.5, "axes.titlesize": 8, "axes.labelsize": 8, "xtick.labelsize": 7,
@@ -40,12 +41,12 @@ _LIMITS = {
     "diameter_mm": ("least_diameter",),
 }
 SHARES = {
-    "distance": ("distance", "0.75"),
-    "wear_tread": ("wear, tread", "#9ecae1"),
-    "wear_root": ("wear, root", "#3182bd"),
-    "wear_flange": ("wear, flange", "#08306b"),
-    "cracks_global": ("cracks, global index", "#fdae6b"),
-    "cracks_local": ("cracks, local index", "#d94801"),
+    "distance_percent": ("distance", "0.75"),
+    "wear_tread_percent": ("wear, tread", "#9ecae1"),
+    "wear_root_percent": ("wear, root", "#3182bd"),
+    "wear_flange_percent": ("wear, flange", "#08306b"),
+    "cracks_global_percent": ("cracks, global index", "#fdae6b"),
+    "cracks_local_percent": ("cracks, local index", "#d94801"),
 }
 _TITLES = {"curve_class": "curve class [m]", "running": "load", "season": "season", "quality": "track quality"}
 _TITLES |= {"haul": "train"}
@@ -82,7 +83,7 @@ def add_over_distance(
     for axes, (name, title, span) in zip(panels, _OVER_DISTANCE, strict=True):
         for (campaign, table), line in zip(tables.items(), _LINES, strict=False):
             for group in groups:
-                own = table.filter(np.array(table["group"].to_pylist()) == group)
+                own = _of_group(table, group)
                 values = own[name].to_numpy().astype(np.float64)
                 label = f"{group}, {campaign}" if campaign else group
                 axes.plot(
@@ -91,11 +92,14 @@ def add_over_distance(
                 )  # fmt: skip
         axes.set_title(title, loc="left", pad=3)
         axes.ticklabel_format(axis="y", useOffset=False)
+        if not axes.dataLim.y0 > 0.0:
+            axes.set_ylim(bottom=0.0)
         _widen(axes, span)
         for limit in _LIMITS.get(name, ()) if limits is not None else ():
             _add_limit(axes, 1e3 * getattr(limits, limit))
     panels[0].set_xlim(left=0.0)
-    figure.supxlabel("distance [km]", fontsize=8)
+    for axes in panels[-3:]:
+        axes.set_xlabel("distance [km]")
     lines, labels = panels[0].get_legend_handles_labels()
     figure.legend(lines, labels, loc="outside lower center", ncols=min(len(labels), 4))
 
@@ -110,18 +114,16 @@ def over_profile_figure(recorded: Recorded) -> Figure:
     with rc_context(SMALL):
         figure = Figure(figsize=(WIDTH, 1.7 * (1 + len(kinds)) + 0.6), layout="constrained")
         panels = figure.subplots(1 + len(kinds), 1, sharex=True)
-        deepest = max(
-            next(iter(states[-1].cracks.values())).worn.max() for states in recorded.wheels.values()
-        )
-        factor, unit = (1e3, "mm") if deepest > 0.1e-3 else (1e6, "um")
-        for group, states in recorded.wheels.items():
-            y, own = 1e3 * states[-1].grid.lateral, colour(recorded.groups, group)
-            layers = states[-1].cracks
-            worn = next(iter(layers.values())).worn
-            panels[0].plot(y, factor * worn, color=own, linewidth=1.0, label=group)
+        rows = profile_table(recorded)
+        deepest = max(rows["worn_um"].to_pylist())
+        factor, unit = (1e-3, "mm") if deepest > 100.0 else (1.0, "µm")
+        for group in recorded.groups:
+            own, paint = _of_group(rows, group), colour(recorded.groups, group)
+            y = own["y_mm"].to_numpy()
+            panels[0].plot(y, factor * own["worn_um"].to_numpy(), color=paint, linewidth=1.0, label=group)
             for axes, kind in zip(panels[1:], kinds, strict=True):
-                axes.plot(y, layers[kind].damage, color=own, linewidth=1.0)
-                axes.plot(y, layers[kind].damage_without_wear, ":", color=own, linewidth=0.9)
+                axes.plot(y, own[f"miner_{kind}"].to_numpy(), color=paint, linewidth=1.0)
+                axes.plot(y, own[f"miner_without_wear_{kind}"].to_numpy(), ":", color=paint, linewidth=0.9)
         panels[0].set_ylabel(f"worn off, normal [{unit}]")
         for axes, kind in zip(panels[1:], kinds, strict=True):
             axes.set_ylabel(f"Miner's sum,\n{kind} index [-]")
@@ -163,9 +165,9 @@ def shares_figure(table: pyarrow.Table, group: str) -> Figure:
             place = np.arange(len(own))
             for number, name in enumerate(columns):
                 title, paint = SHARES[name]
-                shares = [np.nan if row[name] is None else 1e2 * row[name] for row in own]
+                shares = [0.0 if row[name] is None else row[name] for row in own]
                 at = place + width * (number - 0.5 * (len(columns) - 1))
-                axes.barh(at, np.nan_to_num(shares), 0.92 * width, color=paint, label=title)
+                axes.barh(at, shares, 0.92 * width, color=paint, label=title)
             axes.set_yticks(place, [row["value"] for row in own])
             axes.set_ylim(len(own) - 0.5, -0.5)
             axes.set_title(_TITLES[label], loc="left", pad=2)
@@ -174,6 +176,42 @@ def shares_figure(table: pyarrow.Table, group: str) -> Figure:
         panels[-1].set_xlabel("share [%]")
         lines, names = panels[0].get_legend_handles_labels()
         figure.legend(lines, names, loc="outside lower center", ncols=3)
+    return figure
+
+
+def errors_figure(recorded: Recorded, errors: Mapping[str, Any]) -> Figure:
+    """Rates of wear at some places of the profile, with half the width of their interval, a panel a group.
+
+    Parameters
+    ----------
+    recorded
+        The steps.
+    errors
+        As `hh_exudyn.campaign.results.errors.errors_of` gives them.
+    """
+    with rc_context(SMALL):
+        rows = -(-len(recorded.groups) // 2)
+        figure = Figure(figsize=(WIDTH, 1.9 * rows + 0.4), layout="constrained")
+        panels = figure.subplots(rows, 2, sharex=True, sharey=True, squeeze=False).ravel()
+        for axes, group in zip(panels, recorded.groups, strict=False):
+            found = {
+                float(name.split("y = ")[1].split(" mm")[0]): (1e12 * total, sampling)
+                for name, total, sampling in zip(
+                    errors["quantities"], errors["total"], errors["sampling"], strict=True
+                )
+                if name.startswith(f"{group}: wear at y = ")
+            }
+            rates = [rate for rate, _ in found.values()]
+            half = [share * max(rates, default=0.0) for _, share in found.values()]  # of the deepest place
+            axes.errorbar(
+                list(found), rates, half, fmt="o", markersize=3, capsize=2.5, linewidth=1.0,
+                color=colour(recorded.groups, group),
+            )  # fmt: skip
+            axes.set_title(f"{group}: wear [µm per 1000 km]", loc="left", pad=3)
+            axes.axhline(0.0, color="0.7", linewidth=0.5)
+        for axes in panels[len(recorded.groups) :]:
+            axes.set_visible(False)
+        figure.supxlabel("lateral position on the wheel profile [mm], flange on the right", fontsize=8)
     return figure
 
 
@@ -191,6 +229,10 @@ def colour(groups: Sequence[str], group: str) -> tuple[float, float, float]:
     return found
 
 
+def _of_group(table: pyarrow.Table, group: str) -> pyarrow.Table:
+    return table.filter(pyarrow.array(np.array(table["group"].to_pylist()) == group))
+
+
 def _limits(recorded: Recorded) -> WheelLimits | None:
     workshop = recorded.campaign.plan.workshop
     return None if workshop is None else workshop.limits
@@ -202,7 +244,9 @@ def _widen(axes: Axes, span: float) -> None:
     if high - low < span:
         middle = 0.5 * (low + high)
         bottom = middle - 0.5 * span
-        axes.set_ylim(0.0 if middle >= 0.0 > bottom else bottom, max(bottom, 0.0) + span)
+        if middle >= 0.0 > bottom:
+            bottom = 0.0  # measures are not below zero
+        axes.set_ylim(bottom, bottom + span)
 
 
 def _add_limit(axes: Axes, value: float) -> None:

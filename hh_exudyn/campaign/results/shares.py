@@ -6,7 +6,9 @@ the rates of the last evaluation: where a limit is reached first, and before cra
 
 import numpy as np
 import pyarrow
+from numpy.typing import NDArray
 
+from hh_exudyn.arrays import FloatArray
 from hh_exudyn.campaign.results.recorded import WEAR, Recorded
 
 LABELS = ("curve_class", "running", "season", "quality", "haul")
@@ -14,22 +16,22 @@ LABELS = ("curve_class", "running", "season", "quality", "haul")
 
 
 def shares_table(recorded: Recorded) -> pyarrow.Table:
-    """Shares of damage, a row for each group, label and its value; those of one label sum to 1.
+    """Shares of damage, a row for each group, label and its value; those of one label sum to 100 %.
 
-    Columns: `distance`, share of the distance; `wear_tread`, `wear_root` and `wear_flange`; and for every
-    index `cracks_<index>` on the tread. Missing where the wheels have no such damage.
+    Columns, in percent: of the distance, of the wear on tread, root and flange, and for every index of the crack
+    damage of the tread. Missing where the wheels have no such damage.
     """
     rows = []
     for group in recorded.groups:
         y, places = recorded.wheels[group][-1].grid.lateral, recorded.places(group)
-        wanted = {f"{WEAR}_{place}": (WEAR, place) for place in ("tread", "root", "flange")}
-        wanted |= {f"cracks_{kind}": (kind, "tread") for kind in recorded.kinds() if kind != WEAR}
+        wanted = {f"{WEAR}_{place}_percent": (WEAR, place) for place in ("tread", "root", "flange")}
+        wanted |= {f"cracks_{kind}_percent": (kind, "tread") for kind in recorded.kinds() if kind != WEAR}
         columns = {}
         for name, (kind, place) in wanted.items():
             cases, values = recorded.case_rates(group, kind)
             worst = int(np.argmax(np.where(places.within(place, y), values.sum(axis=0), -1.0)))
             columns[name] = values[:, worst]
-        columns = {"distance": np.array([case.weight for case in cases])} | columns
+        columns = {"distance_percent": np.array([case.weight for case in cases])} | columns
         for label in LABELS:
             values_of = [str(getattr(case.stratum, label)) for case in cases]
             for value in dict.fromkeys(values_of):  # in the order of the line
@@ -39,6 +41,7 @@ def shares_table(recorded: Recorded) -> pyarrow.Table:
     return pyarrow.Table.from_pylist(rows)
 
 
-def _share(values: np.ndarray, own: np.ndarray) -> float | None:
+def _share(values: FloatArray, own: NDArray[np.bool_]) -> float | None:
+    """Share of some cases [%]."""
     whole = float(values.sum())
-    return float(values[own].sum()) / whole if whole > 0.0 else None
+    return 1e2 * float(values[own].sum()) / whole if whole > 0.0 else None

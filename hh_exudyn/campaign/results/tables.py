@@ -7,6 +7,7 @@ import pyarrow
 
 from damage.evolution.history import WearHistory
 from damage.evolution.running_in import RunningIn, running_in
+from damage.figures.evolution import worn_depth
 from damage.life.places import BANDS, PLACES
 from damage.material import wheel_material
 from hh_exudyn.campaign.results.recorded import Recorded
@@ -68,9 +69,10 @@ def first_running_in(recorded: Recorded, group: str) -> RunningIn:
 def wear_table(recorded: Recorded) -> pyarrow.Table:
     """Wear of each life by place of the wheel, a row for each group, life and place.
 
-    Columns: from where to where, the largest depth that has worn off between at any one place, normal to the
-    surface, and its rate. A first life counts from the end of its running-in; rate and depth are missing
-    where that is not over.
+    Columns: from where to where; the largest depth that has worn off between, along the normals of the first
+    of the two profiles; its rate. A first life counts from the end of its running-in, a later one from its
+    first step on, as wheels are stored before they are turned. Depth and rate are missing where there is only
+    one profile.
     """
     rows: dict[str, list[object]] = {
         name: [] for name in ("group", "life", "place", "from_km", "to_km", "depth_um", "um_per_1000_km")
@@ -79,18 +81,16 @@ def wear_table(recorded: Recorded) -> pyarrow.Table:
         places, lives = recorded.places(group), _lives(recorded, group)
         run_in = first_running_in(recorded, group)
         for life in dict.fromkeys(lives):
-            own = [one for one, number in zip(states, lives, strict=True) if number == life]
-            start = run_in.distance if life == 1 else own[0].turned_at
-            before = [one for one in own if one.step.distance <= start]
-            layers = [next(iter(one.cracks.values())) for one in (own[-1], *before[-1:])]
-            worn = layers[0].worn - (layers[1].worn if before else 0.0)
-            way = own[-1].step.distance - start
-            deepest = places.largest(np.maximum(worn, 0.0), own[-1].grid.lateral)
+            own = [one.step for one, number in zip(states, lives, strict=True) if number == life]
+            begun = [step for step in own if life > 1 or step.distance >= run_in.distance]
+            first, last = begun[0], own[-1]
+            way = last.distance - first.distance
+            deepest = places.largest(np.maximum(worn_depth(first, last), 0.0), first.profile.y)
             for place in PLACES:
                 depth = 1e6 * deepest[place] if way > 0.0 else None
-                values = (group, life, place, 1e-3 * start, 1e-3 * own[-1].step.distance, depth)
                 rate = None if depth is None else depth / (1e-6 * way)
-                for name, value in zip(rows, (*values, rate), strict=True):
+                values = (group, life, place, 1e-3 * first.distance, 1e-3 * last.distance, depth, rate)
+                for name, value in zip(rows, values, strict=True):
                     rows[name].append(value)
     return pyarrow.table(rows)
 
@@ -125,15 +125,19 @@ def cracks_table(recorded: Recorded) -> pyarrow.Table:
 
 
 def profile_table(recorded: Recorded) -> pyarrow.Table:
-    """Wear and cracks of the present life over the profile, a row for each group and bin."""
+    """Wear and cracks of the present life over the profile, a row for each group and bin.
+
+    Wear is that of the profile, from the first step of the life on; cracks with and without what wore off.
+    """
     found = []
     for group, states in recorded.wheels.items():
         last = states[-1]
-        layers = last.cracks
+        layers, y, first = last.cracks, last.grid.lateral, recorded.history(group).steps[0]
+        worn = np.interp(y, first.profile.y, worn_depth(first, last.step), left=0.0, right=0.0)
         columns: dict[str, object] = {
             "group": [group] * last.grid.count,
-            "y_mm": 1e3 * last.grid.lateral,
-            "worn_um": 1e6 * next(iter(layers.values())).worn,
+            "y_mm": 1e3 * y,
+            "worn_um": 1e6 * worn,
         }
         for index, layer in layers.items():
             columns[f"miner_{index}"] = layer.damage
