@@ -4,7 +4,7 @@ They compute nothing themselves. Large packages are imported inside the function
 """
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -79,18 +79,14 @@ def compare(
 
         inputs.require_new_file(figure, "-o", inputs.FIGURES)
         inputs.require_new_file(csv, "--csv", inputs.TABLES)
-        both = [_recorded(folder) for folder in (first, second)]
+        one, two = _recorded(first), _recorded(second)
         with inputs.refused_as_bad_input():
-            table = comparison_table(*both)
-        distance = table["distance_km"][0].as_py()
-        _print_table(
-            f"At {distance:.0f} km: {first} and {second}",
-            table.drop_columns(["distance_km"]),
-        )
+            table = comparison_table(one, two)
+        _print_comparison(table, first, second)
         if csv is not None:
             output.write_table(table, csv, "--csv")
         if figure is not None:
-            output.write_figure(comparison_figure(*both, (str(first), str(second))), figure, "-o")
+            output.write_figure(comparison_figure(one, two, _names(first, second)), figure, "-o")
 
 
 def _recorded(directory: Path) -> "Recorded":
@@ -174,16 +170,31 @@ def _print(recorded: "Recorded", found: "dict[str, pyarrow.Table]") -> None:
 
 def _print_table(title: str, table: "pyarrow.Table") -> None:
     """A table in the terminal, numbers as on the page."""
-    from hh_exudyn.campaign.results.html_parts import heading, number_text
+    from hh_exudyn.campaign.results.html_parts import cell_text, heading
 
     shown = output.new_table(title, tuple(heading(name) for name in table.column_names))
     shown.columns[0].justify = "left"
     for row in table.to_pylist():
-        shown.add_row(*(_cell(name, value, number_text) for name, value in row.items()))
+        shown.add_row(*(cell_text(name, value) for name, value in row.items()))
     output.print_table(shown)
 
 
-def _cell(name: str, value: Any, number_text: Any) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    return value if isinstance(value, str) else number_text(name, value)
+def _print_comparison(table: "pyarrow.Table", first: Path, second: Path) -> None:
+    """Measures of both, each to the digits of its unit."""
+    from hh_exudyn.campaign.results.html_parts import heading, number_text
+
+    title = f"At {table['distance_km'][0].as_py():.0f} km: {first} and {second}"
+    shown = output.new_table(title, ("group", "measure", "first", "second", "difference"))
+    for column in shown.columns[:2]:
+        column.justify = "left"
+    for row in table.to_pylist():
+        name = row["measure"]
+        values = (number_text(name, row[key]) for key in ("first", "second", "difference"))
+        shown.add_row(row["group"], heading(name), *values)
+    output.print_table(shown)
+
+
+def _names(first: Path, second: Path) -> tuple[str, str]:
+    """Names of two folders, with those above them where both are the same."""
+    short = first.resolve().name, second.resolve().name
+    return short if short[0] != short[1] else (str(first), str(second))

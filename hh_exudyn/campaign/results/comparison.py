@@ -69,8 +69,8 @@ def comparison_figure(first: Recorded, second: Recorded, names: tuple[str, str])
     groups, distance = common_groups(first, second), min(first.distance, second.distance)
     with rc_context(SMALL):
         figure = Figure(figsize=(WIDTH, 8.2), layout="constrained")
-        above, below = figure.subfigures(2, 1, height_ratios=(2.4, 5.8))
-        axes = above.subplots()
+        parts = figure.subfigures(2, 1, height_ratios=(2.4, 5.8), squeeze=False)
+        axes = parts[0, 0].subplots()
         lines = []
         for group in groups:
             for recorded, line in ((first, "-"), (second, "--")):
@@ -86,7 +86,7 @@ def comparison_figure(first: Recorded, second: Recorded, names: tuple[str, str])
         axes.set_title(f"worn off at {1e-3 * distance:.0f} km, normal [{unit}]", loc="left", pad=3)
         axes.set_xlabel("lateral position on the wheel profile [mm], flange on the right")
         both = dict(zip(names, map(measures_table, (first, second)), strict=True))
-        add_over_distance(below, both, groups)
+        add_over_distance(parts[1, 0], both, groups)
     return figure
 
 

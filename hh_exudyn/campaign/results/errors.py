@@ -1,4 +1,4 @@
-"""Errors of the rates of the wheels, where the campaign has evaluated them (`hh_exudyn.campaign.life.errors`)."""
+"""Errors of the rates of the wheels, where they were evaluated (`hh_exudyn.campaign.life.errors`)."""
 
 import json
 from typing import Any
@@ -8,13 +8,15 @@ import pyarrow
 from hh_exudyn.campaign.life.errors import FILE
 from hh_exudyn.campaign.results.recorded import Recorded
 
+_SHOWN = {"m/m]": (1e12, "µm per 1000 km"), "1/m]": (1e6, "per 1000 km")}
+
 
 def errors_table(recorded: Recorded) -> pyarrow.Table | None:
     """Rates with their errors, a row for each group and quantity; None where none were evaluated.
 
-    Columns: the rate in the unit of its name; `sampling_percent`, half the width of its 95 % interval from
-    sampling; `steps_of_<axis>_percent`, what halving the steps of an axis changed. Errors of wear are relative
-    to the deepest place of the group, those of cracks to themselves: these are errors of ln(life).
+    Columns: the rate in its unit; `sampling_percent`, half the width of its 95 % interval from sampling;
+    `steps_of_<axis>_percent`, what halving the steps of an axis changed. Errors of wear are relative to the
+    deepest place of the group, those of cracks to themselves: these are errors of ln(life).
 
     Raises ValueError for a file that is not one of errors.
     """
@@ -24,10 +26,13 @@ def errors_table(recorded: Recorded) -> pyarrow.Table | None:
     rows = []
     for number, name in enumerate(content["quantities"]):
         group, _, quantity = name.partition(": ")
+        quantity, _, unit = quantity.partition(" [")
+        factor, shown = _SHOWN[unit]
         row = {
             "group": group,
             "quantity": quantity,
-            "rate": content["total"][number],
+            "rate": factor * content["total"][number],
+            "unit": shown,
             "sampling_percent": 1e2 * content["sampling"][number],
         }
         steps = {

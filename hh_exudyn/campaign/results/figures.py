@@ -1,4 +1,4 @@
-"""Figures of a campaign: measures over the distance, damage over the profile, and what the damage comes from."""
+"""Figures of a campaign: measures over the distance, damage over the profile, what damage comes from."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -7,7 +7,7 @@ import numpy as np
 import pyarrow
 from matplotlib import colormaps, rc_context
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
+from matplotlib.figure import Figure, FigureBase
 
 from damage.life.limits import WheelLimits
 from damage.life.places import BANDS
@@ -48,7 +48,12 @@ SHARES = {
     "cracks_global_percent": ("cracks, global index", "#fdae6b"),
     "cracks_local_percent": ("cracks, local index", "#d94801"),
 }
-_TITLES = {"curve_class": "curve class [m]", "running": "load", "season": "season", "quality": "track quality"}
+_TITLES = {
+    "curve_class": "curve class [m]",
+    "running": "load",
+    "season": "season",
+    "quality": "track quality",
+}
 _TITLES |= {"haul": "train"}
 
 
@@ -61,7 +66,7 @@ def over_distance_figure(recorded: Recorded) -> Figure:
 
 
 def add_over_distance(
-    figure: Figure,
+    figure: FigureBase,
     tables: dict[str, pyarrow.Table],
     groups: Sequence[str],
     limits: WheelLimits | None = None,
@@ -101,7 +106,9 @@ def add_over_distance(
     for axes in panels[-3:]:
         axes.set_xlabel("distance [km]")
     lines, labels = panels[0].get_legend_handles_labels()
-    figure.legend(lines, labels, loc="outside lower center", ncols=min(len(labels), 4))
+    figure.legend(
+        lines, labels, loc="outside lower center", ncols=2 if len(tables) > 1 else min(len(labels), 4)
+    )
 
 
 def over_profile_figure(recorded: Recorded) -> Figure:
@@ -158,7 +165,7 @@ def shares_figure(table: pyarrow.Table, group: str) -> Figure:
     columns = [name for name in table.column_names if name in SHARES]
     with rc_context(SMALL):
         heights = [len(own) for own in labels.values()]
-        figure = Figure(figsize=(WIDTH, 0.52 * sum(heights) + 0.3 * len(labels) + 0.7), layout="constrained")
+        figure = Figure(figsize=(WIDTH, 0.4 * sum(heights) + 0.3 * len(labels) + 0.7), layout="constrained")
         panels = figure.subplots(len(labels), 1, sharex=True, height_ratios=heights, squeeze=False).ravel()
         width = 0.84 / len(columns)
         for axes, (label, own) in zip(panels, labels.items(), strict=True):
@@ -266,5 +273,11 @@ def _name_places(axes: Axes, root: float, flange: float, end: float) -> None:
     (field, middle) = (1e3 * np.mean(band) for band in BANDS.values())
     for name, at in (("field band", field), ("middle band", middle)):
         axes.text(
-            float(at), 1.01, name, transform=axes.get_xaxis_transform(), ha="center", va="bottom", color="0.35"
+            float(at),
+            1.01,
+            name,
+            transform=axes.get_xaxis_transform(),
+            ha="center",
+            va="bottom",
+            color="0.35",
         )

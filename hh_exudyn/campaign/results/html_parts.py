@@ -4,6 +4,7 @@ import base64
 import html
 import io
 import math
+import re
 
 import pyarrow
 from matplotlib import rc_context
@@ -17,19 +18,22 @@ _DIGITS = {"_MPa": 0, "_mm": 3, "_um": 2, "_km": 1, "_percent": 1, "_deg": 2}  #
 STYLE = """
 body { font: 10.5pt/1.4 system-ui, "Liberation Sans", Arial, sans-serif; color: #222;
        max-width: 190mm; margin: 8mm auto; padding: 0 4mm; }
-h1 { font-size: 18pt; margin: 0 0 1mm; } h2 { font-size: 13pt; margin: 8mm 0 2mm; border-bottom: 1px solid #999; }
+h1 { font-size: 18pt; margin: 0 0 1mm; }
+h2 { font-size: 13pt; margin: 8mm 0 2mm; border-bottom: 1px solid #999; }
 h3 { font-size: 10.5pt; margin: 5mm 0 1mm; } p { margin: 1mm 0 2mm; }
 table { border-collapse: collapse; font-size: 8pt; margin: 1mm 0 3mm; max-width: 100%; }
-th, td { padding: 0.5mm 1.8mm; text-align: right; vertical-align: top; overflow-wrap: anywhere; }
-th { border-bottom: 1px solid #222; vertical-align: bottom; cursor: pointer; overflow-wrap: normal; }
+th, td { padding: 0.5mm 1.8mm; text-align: right; vertical-align: top; white-space: nowrap; }
+th { border-bottom: 1px solid #222; vertical-align: bottom; cursor: pointer; white-space: normal; }
 th[aria-sort=ascending]::after { content: " ▲"; } th[aria-sort=descending]::after { content: " ▼"; }
-.text { text-align: left; } tbody tr:nth-child(even) { background: #f4f4f4; }
+.text { text-align: left; white-space: normal; } tbody tr:nth-child(even) { background: #f4f4f4; }
 figure { margin: 2mm 0 4mm; break-inside: avoid; } figure img { width: 100%; max-width: 178mm; }
-figcaption { font-size: 8.5pt; color: #444; } dt { font-weight: 600; float: left; clear: left; width: 26mm; }
+figcaption { font-size: 8.5pt; color: #444; }
+dt { font-weight: 600; float: left; clear: left; width: 26mm; }
 dd { margin: 0 0 1mm 28mm; } pre { font-size: 7.5pt; white-space: pre-wrap; background: #f4f4f4; padding: 2mm; }
 .note { font-size: 9pt; color: #444; }
 @page { size: A4; margin: 14mm; }
-@media print { body { margin: 0; padding: 0; max-width: none; } h2, h3 { break-after: avoid; }
+@media print { body { margin: 0; padding: 0; max-width: none; }
+               h2, h3 { break-after: avoid; }
                tr { break-inside: avoid; } thead { display: table-header-group; } }
 """
 SORTING = """
@@ -65,7 +69,7 @@ def table_html(table: pyarrow.Table) -> str:
         cells = []
         for (name, value), text in zip(row.items(), texts, strict=True):
             if text:
-                cells.append(f'<td class="text">{html.escape(_word(value))}</td>')
+                cells.append(f'<td class="text">{_breakable(cell_text(name, value))}</td>')
             else:
                 exact = "" if _missing(value) else repr(value)
                 cells.append(f'<td data-value="{exact}">{number_text(name, value)}</td>')
@@ -108,6 +112,21 @@ def heading(name: str) -> str:
     return name.replace("_", " ")
 
 
+def cell_text(name: str, value: object) -> str:
+    """A value as a table shows it: words as they are, numbers as `number_text`.
+
+    Parameters
+    ----------
+    name
+        Of the column.
+    value
+        Text, truth, number, or None where it is missing.
+    """
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        return number_text(name, value)
+    return _word(value)
+
+
 def number_text(name: str, value: float | int | None) -> str:
     """A number as a table shows it: digits by its unit, a dash where it is missing.
 
@@ -129,13 +148,20 @@ def number_text(name: str, value: float | int | None) -> str:
 
 
 def _is_text(kind: pyarrow.DataType) -> bool:
-    return bool(pyarrow.types.is_string(kind) or pyarrow.types.is_boolean(kind) or pyarrow.types.is_null(kind))
+    return bool(
+        pyarrow.types.is_string(kind) or pyarrow.types.is_boolean(kind) or pyarrow.types.is_null(kind)
+    )
 
 
 def _word(value: object) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     return "–" if value is None else str(value)
+
+
+def _breakable(text: str) -> str:
+    """Text that may also break after the dots and underscores of a name."""
+    return re.sub(r"(?<=[a-z\])])([._])(?=[a-z])", r"\1<wbr>", html.escape(text))
 
 
 def _missing(value: float | None) -> bool:

@@ -1,4 +1,4 @@
-"""What went into a campaign: every number with unit, range and source, limits of the wheels, what is left out."""
+"""What went into a campaign: every number with unit, range and source, limits of the wheels, settings."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""Lives of the wheels: turnings so far, and when the present life is due by the rates of the last evaluation."""
+"""Lives of the wheels: turnings so far, and when they are due next by the rates of the last evaluation."""
 
 import pyarrow
 
@@ -22,8 +22,8 @@ def forecast_table(recorded: Recorded) -> pyarrow.Table | None:
     """When the wheels of each group are due next, if they go on with the rates of the last evaluation.
 
     An extrapolation: worn profiles have other rates. Columns: the group; its distance now, since its turning;
-    the distance at which the first limit is reached, with its measure and cause. None where the campaign has no
-    limits; missing where none is reached.
+    the distance at which the first limit is reached, with its measure and cause, missing where none is. None
+    where the campaign has no limits.
     """
     workshop = recorded.campaign.plan.workshop
     if workshop is None:

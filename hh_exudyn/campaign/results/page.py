@@ -49,8 +49,8 @@ def _head(recorded: Recorded) -> str:
     ends, goal = recorded.ends, recorded.campaign.plan.collective.plan.distance
     ran, reused = sum(end.ran for end in ends), sum(end.reused for end in ends)
     return _note(
-        f"{1e-3 * recorded.distance:.0f} km of {1e-3 * goal:.0f} km in {len(ends) - 1} steps; {ran} cases run, "
-        f"{reused} not run again as no wheel had moved in its contact. hh-exudyn {__version__}."
+        f"{1e-3 * recorded.distance:.0f} km of {1e-3 * goal:.0f} km in {len(ends) - 1} steps; {ran} cases "
+        f"run, {reused} not run again as no wheel had moved in its contact. hh-exudyn {__version__}."
     )
 
 
@@ -75,7 +75,9 @@ def _wheels(recorded: Recorded) -> str:
 
 
 def _over_distance(recorded: Recorded) -> str:
-    caption = "Measures of the wheels, largest contact pressure, and largest Miner's sums on the tread; limits "
+    caption = (
+        "Measures of the wheels, largest contact pressure, and largest Miner's sums on the tread; limits "
+    )
     return figure_html(figures.over_distance_figure(recorded), caption + "dashed where the wheels are near.")
 
 
@@ -95,8 +97,8 @@ def _shares(recorded: Recorded) -> str:
     table = shares.shares_table(recorded)
     parts = [
         _note(
-            "Shares at the bin of each place where the wheels wear most, or have most crack damage, by the rates "
-            "of the last evaluation."
+            "Shares at the bin of each place where the wheels wear most, or have most crack damage, by the "
+            "rates of the last evaluation."
         )
     ]
     for group in recorded.groups:
@@ -119,7 +121,8 @@ def _errors(recorded: Recorded) -> str:
 def _inputs(recorded: Recorded) -> str:
     campaign = recorded.campaign
     named = "".join(
-        f"<dt>{html.escape(name)}</dt><dd>{html.escape(text)}</dd>" for name, text in inputs.settings(campaign)
+        f"<dt>{html.escape(name)}</dt><dd>{html.escape(text)}</dd>"
+        for name, text in inputs.settings(campaign)
     )
     limits = inputs.limits_table(campaign)
     return "".join(
@@ -133,9 +136,7 @@ def _inputs(recorded: Recorded) -> str:
 
 
 def _left_out(recorded: Recorded) -> str:
-    left = "".join(
-        f"<li>{html.escape(text)}</li>" for text in recorded.campaign.plan.collective.left_out()
-    )
+    left = "".join(f"<li>{html.escape(text)}</li>" for text in recorded.campaign.plan.collective.left_out())
     failed = tables.failures_table(recorded)
     shown = table_html(failed) if failed.num_rows else _note("None.")
     return f"<p>The load collective leaves out:</p><ul>{left}</ul><h3>Failed cases</h3>{shown}"

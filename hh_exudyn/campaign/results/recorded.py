@@ -1,4 +1,4 @@
-"""What a campaign has recorded, read once: its wheels after every step, and the rates of its last evaluation."""
+"""What a campaign has recorded, read once: wheels after every step, rates of the last evaluation."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -18,8 +18,8 @@ LABELS = ("curve_class", "running", "season", "quality", "haul")
 def shares_table(recorded: Recorded) -> pyarrow.Table:
     """Shares of damage, a row for each group, label and its value; those of one label sum to 100 %.
 
-    Columns, in percent: of the distance, of the wear on tread, root and flange, and for every index of the crack
-    damage of the tread. Missing where the wheels have no such damage.
+    Columns, in percent: of the distance, of the wear on tread, root and flange, and for every index of the
+    crack damage of the tread. Missing where the wheels have no such damage.
     """
     rows = []
     for group in recorded.groups:
