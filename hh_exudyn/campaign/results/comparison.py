@@ -75,7 +75,9 @@ def comparison_figure(first: Recorded, second: Recorded, names: tuple[str, str])
         for group in groups:
             for recorded, line in ((first, "-"), (second, "--")):
                 now = _at(recorded, group, distance)
-                start = next(one.step for one in recorded.wheels[group] if one.turned_at == now.turned_at)
+                start = next(
+                    life[0].step for life in recorded.lives[group] if life[0].turned_at == now.turned_at
+                )
                 worn = worn_depth(start, now.step)
                 lines.append((1e3 * start.profile.y, worn, line, colour(groups, group)))
         deepest = max(float(worn.max()) for _, worn, _, _ in lines)

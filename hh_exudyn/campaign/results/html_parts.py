@@ -29,7 +29,8 @@ th[aria-sort=ascending]::after { content: " ▲"; } th[aria-sort=descending]::af
 figure { margin: 2mm 0 4mm; break-inside: avoid; } figure img { width: 100%; max-width: 178mm; }
 figcaption { font-size: 8.5pt; color: #444; }
 dt { font-weight: 600; float: left; clear: left; width: 26mm; }
-dd { margin: 0 0 1mm 28mm; } pre { font-size: 7.5pt; white-space: pre-wrap; background: #f4f4f4; padding: 2mm; }
+dd { margin: 0 0 1mm 28mm; }
+pre { font-size: 7.5pt; white-space: pre-wrap; background: #f4f4f4; padding: 2mm; }
 .note { font-size: 9pt; color: #444; }
 @page { size: A4; margin: 14mm; }
 @media print { body { margin: 0; padding: 0; max-width: none; }

@@ -2,10 +2,7 @@
 
 import pyarrow
 
-from damage.life.condition import WheelCondition
 from damage.life.forecast import life_from_rates
-from hh_exudyn.campaign.life.plan import Workshop
-from hh_exudyn.campaign.life.wheels import turned
 from hh_exudyn.campaign.results.recorded import Recorded
 
 
@@ -31,7 +28,7 @@ def forecast_table(recorded: Recorded) -> pyarrow.Table | None:
     names = ("group", "now_km", "since_turning_km", "due_km", "due_since_turning_km", "measure", "cause")
     rows = []
     for group in recorded.groups:
-        now, places = _going_on(recorded, group, workshop), recorded.places(group)
+        now, places = recorded.going_on(group), recorded.places(group)
         forecast = life_from_rates(
             now, recorded.life_rates(group), workshop.limits, places, workshop.inspection
         )
@@ -44,11 +41,3 @@ def forecast_table(recorded: Recorded) -> pyarrow.Table | None:
             values = (group, *km, None, None, None, None)
         rows.append(dict(zip(names, values, strict=True)))
     return pyarrow.Table.from_pylist(rows)
-
-
-def _going_on(recorded: Recorded, group: str, workshop: Workshop) -> WheelCondition:
-    """The wheels of a group that would run the next step: those after their turning, where they were due."""
-    first, last = recorded.wheels[group][0], recorded.wheels[group][-1]
-    if not any(row["group"] == group for row in recorded.ends[-1].turned):
-        return last
-    return turned(last, last, first, workshop)[0]

@@ -18,6 +18,7 @@ from hh_exudyn.campaign.life.campaign import RESULTS, Campaign
 from hh_exudyn.campaign.life.evaluation import GroupRatesByCase, recorded_rates
 from hh_exudyn.campaign.life.rates import GroupRates
 from hh_exudyn.campaign.life.steps import StepEnd
+from hh_exudyn.campaign.life.wheels import turned
 
 WEAR = "wear"
 """Beside the names of the fatigue indices, the kind of damage that is a depth."""
@@ -76,14 +77,38 @@ class Recorded:
         """Tread, root and flange of the wheels of a group, by their first profile."""
         return WheelPlaces.of(self.wheels[group][0].step.profile)
 
-    def life(self, group: str) -> tuple[WheelCondition, ...]:
-        """The wheels of a group after the steps of their present life; of the first life with its start."""
-        states = self.wheels[group]
-        return tuple(one for one in states if one.turned_at == states[-1].turned_at)
+    @cached_property
+    def lives(self) -> Mapping[str, tuple[tuple[WheelCondition, ...], ...]]:
+        """By group, the wheels of every life: new or turned ones first, then after every step."""
+        found = {}
+        for group, states in self.wheels.items():
+            lives = [[states[0]]]
+            for number, state in enumerate(states[1:], 1):
+                lives[-1].append(state)
+                if number < len(states) - 1 and self._is_turned(group, number):
+                    lives.append([self._after_turning(group, number)])
+            found[group] = tuple(map(tuple, lives))
+        return found
 
     def history(self, group: str) -> WearHistory:
-        """The profiles of the present life."""
-        return WearHistory(tuple(one.step for one in self.life(group)))
+        """The profiles of the last life: the one that goes on, or that has just ended."""
+        return WearHistory(tuple(one.step for one in self.lives[group][-1]))
+
+    def going_on(self, group: str) -> WheelCondition:
+        """The wheels of a group that would run the next step: those after their turning, where they were due."""
+        number = len(self.ends) - 1
+        turns = self._is_turned(group, number)
+        return self._after_turning(group, number) if turns else self.wheels[group][number]
+
+    def _is_turned(self, group: str, number: int) -> bool:
+        return any(row["group"] == group for row in self.ends[number].turned)
+
+    def _after_turning(self, group: str, number: int) -> WheelCondition:
+        """Wheels after the turning at the end of a step; the step holds them as they were before it."""
+        workshop, states = self.campaign.plan.workshop, self.wheels[group]
+        if workshop is None:
+            raise ValueError(f"{self.campaign.directory}: wheels were turned, and its file has no limits")
+        return turned(states[number], states[number], states[0], workshop)[0]
 
     @cached_property
     def rows(self) -> GroupRatesByCase:

@@ -1,7 +1,5 @@
 """Tables of what a campaign has recorded: every step, every group of wheels, every place of a wheel."""
 
-from collections.abc import Mapping
-
 import numpy as np
 import pyarrow
 
@@ -26,7 +24,7 @@ def measures_table(recorded: Recorded) -> pyarrow.Table:
         table = WearHistory(tuple(one.step for one in states)).to_table()
         count, places = len(states), recorded.places(group)
         table = table.add_column(0, "group", pyarrow.array([group] * count))
-        table = table.add_column(1, "life", pyarrow.array(_lives(recorded, group)))
+        table = table.add_column(1, "life", pyarrow.array(_numbers_of_lives(recorded, group)))
         for name, change in _CHANGES.items():
             values = table[name].to_numpy()
             table = table.append_column(change, pyarrow.array(values - values[0]))
@@ -61,8 +59,7 @@ def first_running_in(recorded: Recorded, group: str) -> RunningIn:
         Of wheels.
     """
     hardness = wheel_material(recorded.campaign.plan.damage.material).require("hardness", "running-in")
-    states = recorded.wheels[group]
-    first = tuple(one.step for one in states if one.turned_at == 0.0)
+    first = tuple(one.step for one in recorded.lives[group][0])
     return running_in(WearHistory(first), hardness)
 
 
@@ -70,18 +67,16 @@ def wear_table(recorded: Recorded) -> pyarrow.Table:
     """Wear of each life by place of the wheel, a row for each group, life and place.
 
     Columns: from where to where; the largest depth that has worn off between, along the normals of the first
-    of the two profiles; its rate. A first life counts from the end of its running-in, a later one from its
-    first step on, as wheels are stored before they are turned. Depth and rate are missing where there is only
-    one profile.
+    of the two profiles; its rate. A first life counts from the end of its running-in, and has no depth and
+    rate where that is not over; a later one from its turning.
     """
     rows: dict[str, list[object]] = {
         name: [] for name in ("group", "life", "place", "from_km", "to_km", "depth_um", "um_per_1000_km")
     }
-    for group, states in recorded.wheels.items():
-        places, lives = recorded.places(group), _lives(recorded, group)
-        run_in = first_running_in(recorded, group)
-        for life in dict.fromkeys(lives):
-            own = [one.step for one, number in zip(states, lives, strict=True) if number == life]
+    for group, lives in recorded.lives.items():
+        places, run_in = recorded.places(group), first_running_in(recorded, group)
+        for life, states in enumerate(lives, 1):
+            own = [one.step for one in states]
             begun = [step for step in own if life > 1 or step.distance >= run_in.distance]
             first, last = begun[0], own[-1]
             way = last.distance - first.distance
@@ -127,7 +122,7 @@ def cracks_table(recorded: Recorded) -> pyarrow.Table:
 def profile_table(recorded: Recorded) -> pyarrow.Table:
     """Wear and cracks of the present life over the profile, a row for each group and bin.
 
-    Wear is that of the profile, from the first step of the life on; cracks with and without what wore off.
+    Wear is that of the profile, from its beginning on; cracks with and without what wore off.
     """
     found = []
     for group, states in recorded.wheels.items():
@@ -176,10 +171,8 @@ def failures_table(recorded: Recorded) -> pyarrow.Table:
     )
 
 
-def _lives(recorded: Recorded, group: str) -> list[int]:
-    """Number of the life of a group at every step, from 1."""
-    starts: Mapping[float, int] = {
-        at: number
-        for number, at in enumerate(dict.fromkeys(one.turned_at for one in recorded.wheels[group]), 1)
-    }
-    return [starts[one.turned_at] for one in recorded.wheels[group]]
+def _numbers_of_lives(recorded: Recorded, group: str) -> list[int]:
+    """Number of the life that runs, or ends, at every step, from 1."""
+    begins = [one.turned_at for one in recorded.wheels[group]]
+    numbers = {begin: number for number, begin in enumerate(dict.fromkeys(begins), 1)}
+    return [numbers[begin] for begin in begins]
