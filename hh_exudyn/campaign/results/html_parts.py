@@ -11,10 +11,18 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 UNITS = {
-    "_um_per_1000_km": " [µm per 1000 km]", "_MPa": " [MPa]", "_mm": " [mm]", "_um": " [µm]", "_km": " [km]",
+    "um_per_1000_km": "µm per 1000 km", "_MPa": " [MPa]", "_mm": " [mm]", "_um": " [µm]", "_km": " [km]",
     "_percent": " [%]", "_deg": " [°]",
 }  # fmt: skip
-_DIGITS = {"_MPa": 0, "_mm": 3, "_um": 2, "_km": 1, "_percent": 1, "_deg": 2}  # else four figures
+_DIGITS = {
+    "um_per_1000_km": 3,
+    "_MPa": 0,
+    "_mm": 3,
+    "_um": 2,
+    "_km": 1,
+    "_percent": 1,
+    "_deg": 2,
+}  # else four figures
 STYLE = """
 body { font: 10.5pt/1.4 system-ui, "Liberation Sans", Arial, sans-serif; color: #222;
        max-width: 190mm; margin: 8mm auto; padding: 0 4mm; }
@@ -22,7 +30,7 @@ h1 { font-size: 18pt; margin: 0 0 1mm; }
 h2 { font-size: 13pt; margin: 8mm 0 2mm; border-bottom: 1px solid #999; }
 h3 { font-size: 10.5pt; margin: 5mm 0 1mm; } p { margin: 1mm 0 2mm; }
 table { border-collapse: collapse; font-size: 8pt; margin: 1mm 0 3mm; max-width: 100%; }
-th, td { padding: 0.5mm 1.8mm; text-align: right; vertical-align: top; white-space: nowrap; }
+th, td { padding: 0.5mm 1.3mm; text-align: right; vertical-align: top; white-space: nowrap; }
 th { border-bottom: 1px solid #222; vertical-align: bottom; cursor: pointer; white-space: normal; }
 th[aria-sort=ascending]::after { content: " ▲"; } th[aria-sort=descending]::after { content: " ▼"; }
 .text { text-align: left; white-space: normal; } tbody tr:nth-child(even) { background: #f4f4f4; }
@@ -105,8 +113,6 @@ def heading(name: str) -> str:
     name
         As `um_per_1000_km` or `crack_depth_mm`.
     """
-    if name == "um_per_1000_km":
-        return "µm per 1000 km"
     for suffix, unit in UNITS.items():
         if name.endswith(suffix):
             return name.removesuffix(suffix).replace("_", " ") + unit
@@ -143,9 +149,11 @@ def number_text(name: str, value: float | int | None) -> str:
     if isinstance(value, int):
         return str(value)
     for suffix, digits in _DIGITS.items():
-        if name.endswith(suffix) and name != "um_per_1000_km":
+        if name.endswith(suffix):
             return f"{round(value, digits) + 0.0:.{digits}f}"
-    return f"{value:.4g}"
+    if "miner" in name:
+        return f"{value:.4f}"
+    return f"{value:.0f}" if 1e4 <= abs(value) < 1e7 else f"{value:.4g}"
 
 
 def _is_text(kind: pyarrow.DataType) -> bool:

@@ -30,9 +30,10 @@ def assumed_table(campaign: Campaign) -> pyarrow.Table:
     return numbers_table([*campaign.plan.collective.assumed(), *own])
 
 
-def all_numbers_table(campaign: Campaign) -> pyarrow.Table:
-    """All numbers of the file, and of the steel."""
-    return numbers_table([*campaign.plan.collective.plan.numbers, *_own(campaign)])
+def known_table(campaign: Campaign) -> pyarrow.Table:
+    """Published and derived numbers of the file and of the steel."""
+    numbers = [*campaign.plan.collective.plan.numbers, *_own(campaign)]
+    return numbers_table([number for number in numbers if number.kind != "assumed"])
 
 
 def numbers_table(numbers: Sequence[Parameter]) -> pyarrow.Table:
@@ -47,7 +48,7 @@ def numbers_table(numbers: Sequence[Parameter]) -> pyarrow.Table:
     for number in numbers:
         low, high = number.range or (None, None)
         text = number.source.partition(":")[2].strip()
-        if not number.confirmed:
+        if not number.confirmed and "from memory" not in text:
             text += " (from memory or at second hand)"
         values = (number.name, number.value, number.unit, low, high, number.kind, text)
         rows.append(dict(zip(_SCHEMA.names, values, strict=True)))
@@ -83,7 +84,7 @@ def settings(campaign: Campaign) -> tuple[tuple[str, str], ...]:
         ("turning", cracks),
         (
             "steps",
-            f"by their error: profile {1e6 * step.profile:.3g} um, pressure {1e2 * step.pressure:.3g} %, "
+            f"by their error: profile {1e6 * step.profile:.3g} µm, pressure {1e2 * step.pressure:.3g} %, "
             f"conicity {step.conicity:.3g}, at most {1e-3 * step.max_distance:.4g} km",
         ),
     )

@@ -15,6 +15,10 @@ _NOW = (
     "group", "life", "distance_km", "diameter_mm", "Sh_mm", "Sh_change_mm", "Sd_mm", "Sd_change_mm", "qR_mm",
     "qR_change_mm", "hollow_mm", "equivalent_conicity", "p_max_MPa",
 )  # fmt: skip
+_TURNED = (
+    "group", "life", "due_km", "distance_km", "since_turning_km", "cause", "measure", "cut_mm",
+    "cut_for_profile_mm", "worn_diameter_mm", "diameter_mm", "end",
+)  # fmt: skip
 
 
 def page(recorded: Recorded) -> str:
@@ -67,7 +71,8 @@ def _wheels(recorded: Recorded) -> str:
         ),
     ]
     turned, forecast = lives.turnings_table(recorded), lives.forecast_table(recorded)
-    parts.append("<h3>Turnings</h3>" + (_note("None so far.") if turned is None else table_html(turned)))
+    shown = _note("None so far.") if turned is None else table_html(turned.select(list(_TURNED)))
+    parts.append("<h3>Turnings</h3>" + shown)
     if forecast is not None:
         note = "An extrapolation by the rates of the last evaluation; worn profiles have other rates."
         parts.append(_titled("When the wheels are due next", forecast) + _note(note))
@@ -130,7 +135,7 @@ def _inputs(recorded: Recorded) -> str:
             f"<dl>{named}</dl>",
             _titled("Assumed numbers, with their ranges", inputs.assumed_table(campaign)),
             "" if limits is None else _titled("Limits of the wheels", limits),
-            _titled("All numbers of the file", inputs.all_numbers_table(campaign)),
+            _titled("Published and derived numbers", inputs.known_table(campaign)),
         )
     )
 

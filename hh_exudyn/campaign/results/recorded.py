@@ -95,7 +95,7 @@ class Recorded:
         return WearHistory(tuple(one.step for one in self.lives[group][-1]))
 
     def going_on(self, group: str) -> WheelCondition:
-        """The wheels of a group that would run the next step: those after their turning, where they were due."""
+        """The wheels of a group that would run the next step: after their turning, where they were due."""
         number = len(self.ends) - 1
         turns = self._is_turned(group, number)
         return self._after_turning(group, number) if turns else self.wheels[group][number]

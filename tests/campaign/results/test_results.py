@@ -144,7 +144,7 @@ def test_a_life_at_constant_rates_is_forecast_to_its_end(recorded: Recorded) -> 
 
 
 def test_turned_wheels_are_forecast_from_their_turning(recorded: Recorded) -> None:
-    """At the step that ends in a turning the life ahead is a whole one, as turned wheels have no deep cracks."""
+    """At a step that ends in a turning a whole life lies ahead: turned wheels have no deep cracks."""
     number = next(number for number, end in enumerate(recorded.ends) if end.turned)
     turned = Recorded(
         recorded.campaign,
