@@ -8,6 +8,7 @@
 =================  ==================================================================================
 `groups`           wheels that wear alike: by axle, by role in curves, or each by itself
 `plan`             a campaign's file: the load collective, and tables for wheels, damage, steps
+`template`         the text of a new campaign's file
 `rates`            wear and crack rates of a group from the sums of weighted cases
 `profiles`         profiles as files under the hash of their points
 `reuse`            cases that need not run again, as no wheel has moved where it touches

@@ -94,7 +94,9 @@ class Killed(RuntimeError):
     """The end of a process."""
 
 
-@pytest.mark.parametrize("after", [1, 9, 20])
+@pytest.mark.parametrize(
+    "after", [pytest.param(1, marks=pytest.mark.slow), 20, pytest.param(33, marks=pytest.mark.slow)]
+)
 def test_a_killed_campaign_goes_on_to_the_same_bytes(after: int, tmp_path: Path, whole: Campaign) -> None:
     campaign = Campaign.begin(campaign_file(tmp_path), tmp_path / "out")
     left = [after]
