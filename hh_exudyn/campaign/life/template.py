@@ -7,9 +7,8 @@ from hh_exudyn.campaign.collective.template import template_text
 from hh_exudyn.text_files import parsed_toml
 
 _LIMITS = """
-# Limits of a wheel in service (damage/data/limits.toml), and the profiles that it may be turned to. cracks: the
-# index by which the cracks are followed that decide, "global" (of the patch) or "local". Without this table no
-# wheel is turned.
+# Limits of a wheel in service (damage/data/limits.toml), and the profiles that it may be turned to. cracks:
+# index of the cracks that decide, "global" (of the patch) or "local". Without this table no wheel is turned.
 [limits]
 of = "{vehicle}"
 targets = ["{wheel}"]
