@@ -90,8 +90,8 @@ class StepTolerance:
 def filtered_rate(wheel: Profile, wear: ProfileWear, length: float) -> FloatArray:
     """(n,) wear rate at the points of a profile [m/m], filtered over the arc; its area is kept.
 
-    Twice the filter 1 / (1 + (k length)^2 / 2): the variance of a Gaussian of that length, and no kinks of
-    the bins.
+    Twice the filter 1 / (1 + (k length)^2 / 2): no kinks of the bins, and the variance of a Gaussian of
+    sqrt(2) length.
 
     Parameters
     ----------
