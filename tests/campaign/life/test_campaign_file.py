@@ -7,9 +7,10 @@ from typer.testing import CliRunner
 
 from hh_exudyn.campaign.collective import template_text
 from hh_exudyn.campaign.life.campaign import Campaign
-from hh_exudyn.campaign.life.plan import CampaignPlan, campaign_of_text
+from hh_exudyn.campaign.life.plan import CampaignPlan, campaign_of_text, read_campaign
 from hh_exudyn.cli.app import app
 
+EXAMPLES = Path(__file__).parents[3] / "examples" / "campaigns"
 LIMITS = '\n[limits]\nof = "iore_wagon"\ntargets = ["WP4_like"]\n'
 
 
@@ -86,3 +87,18 @@ def test_commands_new_and_status(tmp_path: Path) -> None:
     )
     assert wrong.exit_code == 2
     assert "as 90s, 30min or 2h" in wrong.stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "distance", "hauls"),
+    [("wagon", 150e6, {"rolling", "braking"}), ("locomotive", 50e6, {"up", "level", "down"})],
+)
+def test_the_campaigns_of_the_examples_are_plans(name: str, distance: float, hauls: set[str]) -> None:
+    plan = read_campaign(EXAMPLES / f"{name}.toml")
+    collective = plan.collective
+    assert collective.plan.distance == distance
+    assert {haul.name for running in collective.plan.running for haul in running.hauls} == hauls
+    assert collective.evaluation.startswith("one evaluation: 20 runs")
+    assert plan.workshop is not None
+    assert plan.of_steps.runs == 20
+    assert len(collective.cases(collective.replicate()[:2])) == 2
