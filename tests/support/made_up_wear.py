@@ -56,4 +56,7 @@ def _surface(grid: LateralGrid, wheel: Wheel, length: float, flanging: bool) -> 
 def scattered_sums(work: CaseWork) -> PartSums:
     """The same, times a number between 0.8 and 1.2 that goes with the case's irregularity alone."""
     factor = 0.8 + 0.4 * np.random.default_rng(work.case.track.irregularity_seed).random()
-    return {name: factor * sums for name, sums in made_up_sums(work).items()}
+    return {
+        name: DamageSums(tuple(replace(factor * s, distance=s.distance, time=s.time) for s in sums.surfaces))
+        for name, sums in made_up_sums(work).items()
+    }
