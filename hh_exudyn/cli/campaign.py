@@ -87,6 +87,7 @@ def run(
         with inputs.refused_as_bad_input():
             begun = Campaign.begin(file, out)
             open_workers = _workers(workers, scheduler)
+        output.print_line(begun.plan.of_steps.evaluation)
         goal = None if distance_km is None else 1e3 * distance_km
         try:
             with open_workers as pool, _progress() as report, inputs.refused_as_bad_input():
