@@ -55,14 +55,14 @@ def soften_edges(strips: Strips, inner: int, loaded: int, stretches: int, state:
     _newton_step(n, room)
     s, place = shaped(state, (ROWS, CAPACITY)), shaped(room.places, (PLACE_ROWS, PLACES))
     order, load, step = place[Place.ORDER], place[Place.LOAD], room.few_factors[n]
-    for j in range(strips.count):
+    for j in range(strips.number):
         s[Row.LOAD, j] = 0.0
-        load[j] = room.factors[strips.count, j]
+        load[j] = room.factors[strips.number, j]
     for c in range(n):
         k = np.uint64(place[Place.CHOSEN, c])
         sharp = max(place[Place.Z, c], 0.0)
         linear = sharp + place[Place.CHANGE, c] + place[Place.SLOPE, c] * step[c]
-        subtract(linear, room.factors[k], strips.count, load)
+        subtract(linear, room.factors[k], strips.number, load)
         s[Row.LOAD, k] = _soft(place[Place.Z, c] + step[c], place[Place.WIDTH, c])
     substitute_back(inner, order, room.factors, load)
     for p in range(inner):
@@ -93,16 +93,15 @@ def _choose(strips: Strips, inner: int, loaded: int, stretches: int, state: Memo
     Returns their number; their rows are reduced, and what belongs to `Place.CHOSEN` is filled.
     """
     place = shaped(room.places, (PLACE_ROWS, PLACES))
-    order, chosen, count = place[Place.ORDER], place[Place.CHOSEN], strips.count
+    order, chosen, count = place[Place.ORDER], place[Place.CHOSEN], strips.number
     n = loaded - inner
     for c in range(n):
         chosen[c] = order[inner + c]
         place[Place.GAP, np.uint64(chosen[c])] = 0.0
     for j in range(count):
         # of a gap beyond the softened stretch, z < -e, there is neither load nor slope
-        if place[Place.ACTIVE, j] == 0.0 and place[Place.GAP, j] < 0.5 * _SOFTNESS * _steepness(
-            j, count, state
-        ):
+        largest = 0.5 * _SOFTNESS * _steepness(j, count, state)
+        if place[Place.ACTIVE, j] == 0.0 and place[Place.GAP, j] < largest:
             write_row(j, strips, stretches, state, room)
             place[Place.LOAD, j] = 0.0
             chosen[n] = j
@@ -110,10 +109,10 @@ def _choose(strips: Strips, inner: int, loaded: int, stretches: int, state: Memo
             n += 1
     reduce_rows(inner, loaded, inner + n, order, count, room.rows, room.factors)
     for c in range(n):
-        j = np.uint64(chosen[c])
-        load, own = place[Place.LOAD, j], place[Place.OWN, j]
-        width = max(0.5 * _SOFTNESS * _steepness(int(j), count, state) / own, _LEAST)
-        z = load if load > 0.0 else -place[Place.GAP, j] / own
+        k = int(chosen[c])
+        load, own = place[Place.LOAD, k], place[Place.OWN, k]
+        width = max(0.5 * _SOFTNESS * _steepness(k, count, state) / own, _LEAST)
+        z = load if load > 0.0 else -place[Place.GAP, k] / own
         place[Place.WIDTH, c], place[Place.Z, c] = width, z
         place[Place.SLOPE, c], place[Place.CHANGE, c] = _slope(z, width), _soft(z, width) - load
     return n

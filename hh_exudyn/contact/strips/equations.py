@@ -1,8 +1,8 @@
 """The equations of a wheel's strips in memory, and the order of their elimination (kernel).
 
-An inner strip is in contact, and so are its neighbours on both sides. These are eliminated first, in the order
-of the profile; then come the ends of the runs of strips in contact. Equations and unknowns have the numbers
-of the strips; row `count` is the right-hand side.
+An inner strip is in contact, and so are its neighbours on both sides. These are eliminated first, in the
+order of the profile; then come the ends of the runs of strips in contact. Equations and unknowns have the
+numbers of the strips; the right-hand side is the row behind them.
 """
 
 from enum import IntEnum
@@ -49,7 +49,7 @@ PLACES_SIZE = PLACE_ROWS * PLACES
 class Strips(NamedTuple):
     """What the equations of one wheel are made from, beside the state of its strips."""
 
-    count: int  # strips with overlap
+    number: int  # of strips with overlap
     modulus: float  # G/(1 - nu) [Pa]
     compliance: float  # common to all strips [m/N]
 
@@ -92,5 +92,5 @@ def write_row(j: int, strips: Strips, stretches: int, state: Memory, room: Room)
     influence_of(j, stretches, place[Place.ENDS], strips.modulus, state, row)
     place[Place.OWN, j] = row[np.uint64(j)]
     if strips.compliance > 0.0:
-        for r in range(strips.count):
+        for r in range(strips.number):
             row[r] += strips.compliance

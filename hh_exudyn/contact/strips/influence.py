@@ -32,7 +32,7 @@ _MIDDLE, _LARGEST_RATIO = 5.0, 50.0  # half length over width in the middle and 
 _NODES = 80
 _PER_UNIT_OF_G = (_NODES - 3) / (2.0 * (_LARGEST_RATIO - _MIDDLE) / (_LARGEST_RATIO + _MIDDLE))
 _FIRST = -(_LARGEST_RATIO - _MIDDLE) / (_LARGEST_RATIO + _MIDDLE) - 1.0 / _PER_UNIT_OF_G
-_LARGEST_M, _DEGREE = 0.64, 8  # m in which the polynomials of distant strips hold, and their degree
+_LEAST_T, _DEGREE = 0.75, 8  # t from which the polynomials of distant strips hold, and their degree
 
 
 def influence_density(t: FloatArray) -> FloatArray:
@@ -130,7 +130,7 @@ def mean_density(t: float, half: float) -> float:
 def _even_table() -> FloatArray:
     """(nodes, 2 `_APART` + LANES): F((m + 1/2)/r) - F((m - 1/2)/r), equal strips m widths apart.
 
-    In column m + `_APART`, over g of `_even_influences`, evenly spaced, with r = a/w from 0.5 at the second node on.
+    In column m + `_APART`, over even steps of g of `_even_influences`; r = a/w is 0.5 in the second row.
     """
     g = _FIRST + np.arange(_NODES) / _PER_UNIT_OF_G
     half = 0.5 * (1.0 - g) / (_MIDDLE * (1.0 + g))
@@ -148,7 +148,7 @@ def _even_table() -> FloatArray:
 
 def _far_polynomials() -> FloatArray:
     """(degree + 1, 2): of `_far_influences`, from the constant terms on."""
-    m = 0.5 * _LARGEST_M * (1.0 - np.cos(math.pi * (np.arange(200) + 0.5) / 200))
+    m = 0.5 / (1.0 + _LEAST_T**2) * (1.0 - np.cos(math.pi * (np.arange(200) + 0.5) / 200))
     density = influence_density(np.sqrt(1.0 / m - 1.0)) / np.sqrt(m)
     spread = m * ellipe(m) / (3.0 * (1.0 - m))
     fits = [np.polynomial.Chebyshev.fit(m, values, _DEGREE) for values in (density, spread)]
@@ -216,12 +216,10 @@ def influence_of(
             _even_influences(half_length, width, first, end, int(before) + _APART, factor, row)
         else:
             near = min(abs(s[Row.ARC, first] - s[Row.ARC, k]), abs(s[Row.ARC, end - 1] - s[Row.ARC, k]))
-            if near * near * _LARGEST_M > half_length * half_length * (1.0 - _LARGEST_M) and not (
-                first <= k < end
-            ):
-                _far_influences(k, first, end, factor, state, row)
-            else:
+            if first <= k < end or near < max(_LEAST_T * half_length, 2.0 * width):
                 _uneven_influences(k, first, end, factor, state, row)
+            else:
+                _far_influences(k, first, end, factor, state, row)
         first = end
 
 
@@ -250,7 +248,7 @@ def _even_influences(
 
 @kernel
 def _far_influences(k: int, first: int, end: int, factor: float, state: Memory, row: FloatArray) -> None:
-    """Influence of strip k on the strips first .. end - 1 of any width, all far from it (m <= `_LARGEST_M`).
+    """Influence of strip k on the strips first .. end - 1 of any width, all far from it (t >= `_LEAST_T`).
 
     Equation 2 and its second derivative, f'' = 2 E/(t^2 sqrt(1 + t^2)), by polynomials of m: f is
     sqrt(m) p(m), and its mean over a strip sqrt(m) (p(m) + (w/2a)^2 q(m)).

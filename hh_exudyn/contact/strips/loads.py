@@ -117,7 +117,7 @@ def _solve_many_loads(
 def _solve_loads(strips: Strips, guess: FloatArray, state: Memory, room: Room) -> bool:
     """`solve_loads` with room for its matrices."""
     s, place = shaped(state, (ROWS, CAPACITY)), shaped(room.places, (PLACE_ROWS, PLACES))
-    active, count = place[Place.ACTIVE], strips.count
+    active, count = place[Place.ACTIVE], strips.number
     stretches = stretches_of(count, state, place[Place.ENDS])
     _start(count, guess, state, active)
     for j in range(count):
