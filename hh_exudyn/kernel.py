@@ -26,21 +26,21 @@ from typing import Any, NamedTuple, TypeVar, cast
 
 import numba
 import numpy as np
-from llvmlite import ir
-from numba import types
+from numba import types as types
 from numba.core import cgutils
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 from numba.experimental import (
     function_type,  # noqa: F401 (registers the types that `kernel_value` needs)
     structref,
 )
-from numba.extending import intrinsic
+from numba.extending import intrinsic as intrinsic
 from numba.np.arrayobj import populate_array
 from numpy.typing import NDArray
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-PLAIN_PYTHON_FACTOR = 200.0 if numba.config.DISABLE_JIT else 1.0  # time of kernels over compiled ones, about
+PLAIN_PYTHON = bool(numba.config.DISABLE_JIT)  # whether kernels run as plain Python
+PLAIN_PYTHON_FACTOR = 200.0 if PLAIN_PYTHON else 1.0  # time of kernels over compiled ones, about
 
 _ROOT = Path(__file__).resolve().parent.parent
 _PACKAGES = ("hh_exudyn", "vehicles", "track", "damage")
@@ -62,7 +62,6 @@ _PARTS = {  # part of the project: sources of its kernels beside `_BASE`; for ot
 }
 _EVERYTHING = tuple(f"{package}/**/*.py" for package in _PACKAGES)
 _UNUSED_SECONDS = 14 * 24 * 3600.0  # after which a cache folder is deleted
-LANES = 8  # numbers of one vector: eight doubles fill the widest registers
 _MOST_FOLDERS = 40  # of these the oldest are deleted earlier, if they have not been used for an hour
 _IN_USE_SECONDS = 3600.0
 
@@ -218,7 +217,7 @@ numba.config.SLP_VECTORIZE = 1
 # A product and the sum behind it are rounded once instead of twice (fused multiply-add): an evaluation of a
 # vehicle at rest takes 7 to 12 % less, a whole run hardly. No sum changes its order, and no other freedom is
 # given to the compiler.
-_CONTRACTION = {"contract"}
+CONTRACTION = {"contract"}
 
 
 def _compiled(function: F, **options: bool) -> F:
@@ -226,7 +225,7 @@ def _compiled(function: F, **options: bool) -> F:
     folder = _cache_folder(_part_of(function.__module__))
     if folder is not None:
         numba.config.CACHE_DIR = str(folder)  # numba reads it here, where the function is decorated
-    result: Any = numba.njit(error_model="numpy", nogil=True, fastmath=_CONTRACTION, **options)(function)
+    result: Any = numba.njit(error_model="numpy", nogil=True, fastmath=CONTRACTION, **options)(function)
     if folder is not None and not numba.config.DISABLE_JIT:
         try:
             result._cache = _KernelCache(function)  # as `enable_caching` of numba sets its own
@@ -339,35 +338,6 @@ def _array_at(typing_context: Any, place: Any, shape: Any) -> Any:
     return result(place, shape), generate
 
 
-def _vector_kernel(added: bool) -> Any:
-    """`add_multiples`, or `set_multiples`, compiled."""
-
-    @intrinsic
-    def operation(typing_context: Any, other: Any, place: Any, factors: Any, rows: Any, start: Any) -> Any:
-        def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            vector = ir.VectorType(context.get_value_type(types.float64), LANES)
-            nothing, number, flags = ir.Constant(vector, ir.Undefined), ir.IntType(32), tuple(_CONTRACTION)
-
-            def at(array: Any, kind: Any, index: Any) -> Any:
-                data = context.make_array(kind)(context, builder, array).data
-                return builder.bitcast(builder.gep(data, [index]), vector.as_pointer())
-
-            target = at(arguments[0], signature.args[0], arguments[1])
-            result = builder.load(target, align=8) if added else None
-            for k, kind in enumerate(signature.args[3]):
-                one = builder.insert_element(nothing, builder.extract_value(arguments[2], k), number(0))
-                factor = builder.shuffle_vector(one, nothing, ir.VectorType(number, LANES)([0] * LANES))
-                row = at(builder.extract_value(arguments[3], k), kind, arguments[4])
-                product = builder.fmul(factor, builder.load(row, align=8), flags=flags)
-                result = product if result is None else builder.fadd(result, product, flags=flags)
-            builder.store(result, target, align=8)
-            return context.get_dummy_value()
-
-        return types.none(other, place, factors, rows, start), generate
-
-    return operation
-
-
 def _plain_memory(count: int) -> NDArray[np.float64]:
     return np.empty(count)
 
@@ -384,30 +354,6 @@ memory: Callable[[int], Any] = _plain_memory if numba.config.DISABLE_JIT else _o
 shaped: Callable[[Any, tuple[int, ...]], NDArray[np.float64]] = (
     _plain_shaped if numba.config.DISABLE_JIT else _array_at
 )
-
-
-def _plain_set_multiples(other: NDArray[np.float64], place: int, factors: Any, rows: Any, start: int) -> None:
-    terms = zip(factors, rows, strict=True)
-    there = slice(int(start), int(start) + LANES)
-    other[int(place) : int(place) + LANES] = sum(factor * row[there] for factor, row in terms)
-
-
-def _plain_add_multiples(other: NDArray[np.float64], place: int, factors: Any, rows: Any, start: int) -> None:
-    terms = zip(factors, rows, strict=True)
-    there = slice(int(start), int(start) + LANES)
-    other[int(place) : int(place) + LANES] += sum(factor * row[there] for factor, row in terms)
-
-
-# `add_multiples(other, place, factors, rows, start)`: adds to other[place + i] the sum of
-# factor * row[start + i] over tuples of factors and rows, for i from 0 to `LANES` - 1, without a look whether
-# they exist; `set_multiples` sets. These are vector instructions for certain: of loops over the few strips of
-# a wheel the compiler makes little but remainders.
-add_multiples: Callable[..., None]
-set_multiples: Callable[..., None]
-if numba.config.DISABLE_JIT:
-    add_multiples, set_multiples = _plain_add_multiples, _plain_set_multiples
-else:
-    add_multiples, set_multiples = _vector_kernel(True), _vector_kernel(False)
 
 
 @structref.register

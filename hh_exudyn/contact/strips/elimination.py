@@ -19,7 +19,8 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.strips.table import CAPACITY
-from hh_exudyn.kernel import LANES, add_multiples, inlined_kernel
+from hh_exudyn.kernel import inlined_kernel
+from hh_exudyn.lanes import LANES, add_multiples
 
 PADDING = LANES  # numbers at the end of every row of memory that take no part
 _NATURAL_ORDER = np.arange(CAPACITY + 1.0)

@@ -18,9 +18,9 @@ from scipy.special import ellipe, ellipkm1
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
-from hh_exudyn.contact.tangential.strips import LANES
 from hh_exudyn.contact.types import Memory
-from hh_exudyn.kernel import inlined_kernel, kernel, set_multiples, shaped
+from hh_exudyn.kernel import inlined_kernel, kernel, shaped
+from hh_exudyn.lanes import LANES, set_multiples
 
 CENTRING = 1.07  # factor of the compliance [-]
 
