@@ -1,7 +1,7 @@
 """Eight adjacent numbers at once, in vector instructions for certain.
 
-Of loops over the few strips of a wheel the compiler makes little but remainders, gathers and scatters. What is
-written here is one load of each row, products and sums, and one store, whatever stands around.
+Of loops over the few strips of a wheel the compiler makes little but remainders, gathers and scatters. What
+is written here is one load of each row, products and sums, and one store, whatever stands around.
 """
 
 from collections.abc import Callable
