@@ -24,7 +24,7 @@ from hh_exudyn.campaign.engine.workers import Workers
 from hh_exudyn.campaign.life.groups import Place
 from hh_exudyn.campaign.life.plan import CampaignPlan
 from hh_exudyn.campaign.life.profiles import ProfileFiles
-from hh_exudyn.campaign.life.rates import GroupRates, rates_of_case, weighted_mean
+from hh_exudyn.campaign.life.rates import GroupRates, on_bins, rates_of_case, weighted_mean
 from hh_exudyn.campaign.life.reuse import LastRun, has_moved
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.conventions import LEFT
@@ -144,7 +144,12 @@ class Evaluation:
         ran = sum(dict(last.profiles) == self._own(name, digests) for name, last in found.items())
         rows = tuple(self._rows(found))
         rates = {
-            group: weighted_mean([(weighted.weight, by_group[group]) for weighted, by_group in rows])
+            group: weighted_mean(
+                [
+                    (weighted.weight, on_bins(by_group[group], rows[0][1][group].y))
+                    for weighted, by_group in rows
+                ]
+            )
             for group in digests
         }
         return Evaluated(digest, rates, rows, ran, len(found) - ran, self._failed(found))

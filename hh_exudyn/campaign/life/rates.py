@@ -113,6 +113,31 @@ def weighted_mean(parts: Sequence[tuple[float, GroupRates]]) -> GroupRates:
     )
 
 
+def on_bins(rates: GroupRates, y: FloatArray) -> GroupRates:
+    """Rates on other bins: of a profile that differs by no more than may stand for this one.
+
+    Parameters
+    ----------
+    rates
+        Of a case that was run with a former profile.
+    y
+        (C,) lateral places of the bins wanted [m].
+    """
+    if np.array_equal(rates.y, y):
+        return rates
+
+    def there(values: FloatArray) -> FloatArray:
+        return np.interp(y, rates.y, values, left=0.0, right=0.0)
+
+    return replace(
+        rates,
+        y=y,
+        depth=there(rates.depth),
+        cracks={index: there(values) for index, values in rates.cracks.items()},
+        contact=(there(rates.contact) > 0.0).astype(np.float64),
+    )
+
+
 def _rates(surface: WheelSurface, rows: list[int]) -> GroupRates:
     """Mean of some wheels of a surface, per metre rolled."""
     per = 1.0 / (surface.distance * len(rows))

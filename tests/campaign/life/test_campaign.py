@@ -9,9 +9,12 @@ from made_up_campaign import campaign_file, run
 from made_up_wear import TREAD_AREA, made_up_sums, scattered_sums
 
 from hh_exudyn.campaign.engine.case_damage import CaseWork
+from hh_exudyn.campaign.engine.results import ResultFolder
 from hh_exudyn.campaign.engine.sums import PartSums
 from hh_exudyn.campaign.engine.workers import GivenWorkers
-from hh_exudyn.campaign.life.campaign import Campaign
+from hh_exudyn.campaign.life.campaign import RESULTS, Campaign
+from hh_exudyn.campaign.life.evaluation import Evaluation
+from hh_exudyn.contact.profile import Profile
 
 
 def contents(folder: Path) -> dict[str, bytes]:
@@ -80,6 +83,28 @@ def test_a_killed_campaign_goes_on_to_the_same_bytes(after: int, tmp_path: Path,
     names = {name for name in here if name.startswith(("steps", "evaluations", "profiles"))}
     assert names == {name for name in there if name.startswith(("steps", "evaluations", "profiles"))}
     assert all(here[name] == there[name] for name in names)
+
+
+def test_cases_that_stand_have_a_mean_with_those_that_run_again(tmp_path: Path) -> None:
+    """A root that wears where straight track never touches: curves run again on the bins of its new arc."""
+    campaign = Campaign.begin(campaign_file(tmp_path), tmp_path / "out")
+    start = {group: wheels.step.profile for group, wheels in campaign.start().items()}
+    wheel, plan = start["outer"], campaign.plan
+    root = 5e-6 * np.exp(-(((wheel.y - 32e-3) / 3e-3) ** 2))
+    with (
+        ThreadPoolExecutor(1) as threads,
+        ResultFolder(campaign.directory / RESULTS, "made up", {}) as folder,
+    ):
+        evaluation = Evaluation(
+            plan, plan.of_steps.cases(), folder, GivenWorkers(threads, 1), campaign.directory,
+            evaluate=made_up_sums,
+        )  # fmt: skip
+        before = evaluation(start)
+        after = evaluation({**start, "outer": Profile("worn", "wheel", wheel.y, wheel.z + root)})
+    assert 0 < after.ran < before.ran
+    assert after.ran + after.reused == before.ran
+    one, two = before.rates["outer"], after.rates["outer"]
+    assert np.interp(one.y, two.y, two.depth) == pytest.approx(one.depth, abs=1e-3 * one.depth.max())
 
 
 @pytest.mark.parametrize(("evaluate", "scatter"), [(made_up_sums, False), (scattered_sums, True)])
