@@ -33,7 +33,6 @@ from hh_exudyn.campaign.life.steps import StepEnd, StepFiles
 from hh_exudyn.campaign.life.wheels import after_step, new_wheels, turned
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.log.parts import write_text
-from vehicles.catalogue import vehicle
 
 FILE, IDENTITY, RESULTS = "campaign.toml", "campaign.json", "results"
 _LAST = 1e-9  # of the distance: a remainder below it is rounding
@@ -133,7 +132,7 @@ class Campaign:
     @cached_property
     def groups(self) -> tuple[str, ...]:
         """Names of the groups of wheels."""
-        return self.plan.grouping.names(vehicle(self.plan.collective.plan.running[0].vehicle))
+        return self.plan.grouping.names(self.plan.collective.plan.running[0].described)
 
     @cached_property
     def files(self) -> StepFiles:
