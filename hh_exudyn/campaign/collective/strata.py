@@ -84,7 +84,7 @@ class Stratum:
 
     @property
     def seed(self) -> int:
-        """Seed of the random irregularity, from the key without the shift of gauge; on every machine the same."""
+        """Seed of the irregularity, from the key without the shift of gauge; on every machine the same."""
         shift = self.gauge_shift_mm
         gauges = round(self.gauge_mm - shift, 6), round(self.straight_gauge_mm - shift, 6)
         plain = replace(self, gauge_mm=gauges[0], straight_gauge_mm=gauges[1]) if shift else self

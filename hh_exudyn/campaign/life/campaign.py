@@ -226,6 +226,31 @@ class Campaign:
         write_errors(self.directory, found, self.files.ends()[-1].distance)
         return found
 
+    def evaluated(
+        self, workers: Workers, progress: Callable[[Standing], None] | None = None,
+        evaluate: Evaluate = evaluate_case,
+    ) -> Evaluated:  # fmt: skip
+        """Rates of the wheels as they are after the last step, of new ones before any; all cases are run.
+
+        Parameters
+        ----------
+        workers
+            Where cases run.
+        progress, evaluate
+            As `Evaluation`.
+
+        Raises
+        ------
+        ValueError, FileExistsError, TooManyFailed, EngineStopped, OSError, KeyboardInterrupt, Terminated
+            As `run`.
+        """
+        wheels = self.files.conditions(self.files.count - 1) if self.files.count else self.start()
+        with self._results() as folder:
+            evaluation = Evaluation(
+                self.plan, self.plan.of_steps.cases(), folder, workers, self.directory, progress, evaluate
+            )
+            return evaluation({group: one.step.profile for group, one in wheels.items()})
+
     def _results(self) -> ResultFolder:
         """The folder of results of this file and this code."""
         name = hashlib.sha256(self._text.encode()).hexdigest()[:16]

@@ -74,8 +74,9 @@ def _keys(entries: Mapping[str, Any], key: str) -> list[str]:
         known = {*_paths(entries), *HANDY, *(name for names in numbers.values() for name in names)}
         near = difflib.get_close_matches(key, sorted(known), n=3, cutoff=0.5)
         hint = f"; did you mean {' or '.join(near)}?" if near else ""
+        tables = ", ".join(dict.fromkeys((*entries, *OWN_TABLES)))
         raise ValueError(
-            f"unknown key {key}: allowed {', '.join(HANDY)}, a key in {', '.join((*entries, *OWN_TABLES))}, "
+            f"unknown key {key}: allowed {', '.join(HANDY)}, a key in {tables}, "
             f"or a number of the vehicles{hint}"
         )
     return found

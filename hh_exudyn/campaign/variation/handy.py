@@ -91,7 +91,7 @@ HANDY: dict[str, Callable[[Tables, Any], dict[str, Any]]] = {
     "lubrication": _lubrication,
     "material": _material,
 }
-"""By name, the changes that a value means for the tables of a file; ValueError for one that is not allowed."""
+"""By name, the changes that a value means for the tables of a file; ValueError for one not allowed."""
 
 
 def _number(name: str, value: Any, low: float, high: float, unit: str) -> float:

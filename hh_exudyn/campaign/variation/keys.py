@@ -1,8 +1,8 @@
-"""A value at a key of a campaign's file: ``gauge.deviation_mm``, ``season.dry.share_percent``, ``season[2].name``.
+"""A value at a key of a campaign's file: ``gauge.deviation_mm``, ``season.dry.share_percent``.
 
 A key is a path through the tables. An item of a list is named by its ``name``, or by its number from 0 in
-brackets, as in a case (`hh_exudyn.case.overrides`). Behind the vehicle of a running stands a number of it,
-``running.loaded.vehicle.wedge.friction``.
+brackets (``season[2]``), as in a case (`hh_exudyn.case.overrides`). Behind the vehicle of a running stands a
+number of it, ``running.loaded.vehicle.wedge.friction``.
 """
 
 import re

@@ -1,7 +1,7 @@
 """Variants of a campaign run one after the other, by the same workers, each in a folder of its own.
 
-    DIR/axle_load=30.toml    the file of a variant, which can be run alone
-    DIR/axle_load=30/        its campaign
+DIR/axle_load=30.toml    the file of a variant, which can be run alone
+DIR/axle_load=30/        its campaign
 """
 
 import time as clock
@@ -97,9 +97,7 @@ def run_variants(
             break
         report = None if progress is None else _named(name, progress)
         try:
-            ended = campaigns[name].run(
-                workers, distance, left / (len(waiting) - place), report, evaluate
-            )
+            ended = campaigns[name].run(workers, distance, left / (len(waiting) - place), report, evaluate)
         except (TooManyFailed, ValueError, FileExistsError) as error:
             reasons[name], ended = str(error), False
         if not ended and place + 1 < len(waiting):
@@ -113,7 +111,9 @@ def run_variants(
 def _begun(texts: Mapping[str, str], folder: Path) -> dict[str, Campaign]:
     """The campaigns of all variants, new ones or those that are there."""
     if (folder / IDENTITY).exists() or (folder.exists() and not folder.is_dir()):
-        raise FileExistsError(f"{folder}: is a campaign or a file; allowed is a folder for {len(texts)} of them")
+        raise FileExistsError(
+            f"{folder}: is a campaign or a file; allowed is a folder for {len(texts)} of them"
+        )
     folder.mkdir(parents=True, exist_ok=True)
     files = {name: folder / f"{name}.toml" for name in texts}
     for name, file in files.items():

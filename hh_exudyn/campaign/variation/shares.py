@@ -32,7 +32,7 @@ def set_shares(items: list[dict[str, Any]], shares: Mapping[int, float], place: 
     before = math.fsum(float(items[index][SHARE]) for index in others)
     if left < -1e-9 or (left > 1e-9 and before == 0.0):
         raise ValueError(
-            f"{place}.{SHARE}: {100.0 - left:g} % are set and {before:g} % were in others: allowed 100 % in all"
+            f"{place}.{SHARE}: {100.0 - left:g} % are set, {before:g} % were in others: allowed 100 % in all"
         )
     for index in others:
         items[index][SHARE] = max(left, 0.0) * float(items[index][SHARE]) / before if before else 0.0
