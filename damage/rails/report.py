@@ -106,11 +106,12 @@ class RailReport:
         Depth is normal to the surface and the largest of all places on the profile; "head" is by contact up
         to the flange angle, "gauge" by contact above, at gauge corner and face. ``wear_y_mm`` is the place of
         the deepest wear on the rail profile (positive towards the track centre). ``wear_number_N`` is the
-        mean over the wheels that pass. ``beyond_shakedown_share`` is the share of the wheel passings in
-        which the worst place was beyond shakedown in shear; ``miner_per_MGT`` the largest Miner's sum of a
-        place after Kabo, whose lives were fitted on wheels; ``rcf_per_MGT`` that of the whole-life rail
-        model, below zero where wear prevails. ``worst_wheelset`` wears this rail most, by ``worst_share`` of
-        the worn area.
+        mean over the wheels that pass. ``fatigue_share`` is the share of the contacts with FI_surf above zero
+        (of the rail's shear yield), ``fatigue_area_index`` as of the wheels. ``beyond_shakedown_share`` is
+        the share of the wheel passings in which the worst place was beyond shakedown in shear;
+        ``miner_per_MGT`` the largest Miner's sum of a place after Kabo, whose lives were fitted on wheels;
+        ``rcf_per_MGT`` that of the whole-life rail model, below zero where wear prevails. ``worst_wheelset``
+        wears this rail most, by ``worst_share`` of the worn area.
         """
         rows = [
             {
@@ -142,6 +143,8 @@ class RailReport:
             "worn_area_mm2_per_MGT": rail.worn_area_per_mgt * 1e6,
             "wear_seizure_share": float(seizure),
             "wear_note": NOT_EXTRAPOLATED if self.seized(rail) else "",
+            "fatigue_share": float(sums.positive_time.sum() / sums.patch_time.sum()),
+            "fatigue_area_index": float(sums.index_area.sum() / sums.friction_area.sum()),
             "beyond_shakedown_share": float(_worst(sums.ratchet_revolutions)) / float(rail.rolled.sum()),
             "miner_per_MGT": float(_worst(sums.crack_damage)) * per_mgt,
             "rcf_per_MGT": _farthest(rail.whole_life.sum(axis=0)) * per_mgt,

@@ -49,11 +49,11 @@ def new(
 ) -> None:
     """Write a commented campaign file, every number with its source."""
     with output.errors_in_one_line():
-        from hh_exudyn.campaign.collective import template_text
+        from hh_exudyn.campaign.life.template import campaign_text
 
         inputs.require_new_file(file, "FILE.toml", (".toml",))
         with inputs.refused_as_bad_input():
-            text = template_text(line, vehicle)
+            text = campaign_text(line, vehicle)
         output.write_text(text, file, "FILE.toml", "campaign")
 
 

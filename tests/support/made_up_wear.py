@@ -51,3 +51,12 @@ def _surface(grid: LateralGrid, wheel: Wheel, length: float, flanging: bool) -> 
     surface.global_crack_damage[0, 0] = 0.5 * length * CRACK_RATE * tread
     surface.pressure_by_part[0, 0] = 1.0e9
     return surface
+
+
+def scattered_sums(work: CaseWork) -> PartSums:
+    """The same, times a number between 0.8 and 1.2 that goes with the case's irregularity alone."""
+    factor = 0.8 + 0.4 * np.random.default_rng(work.case.track.irregularity_seed).random()
+    return {
+        name: DamageSums(tuple(replace(factor * s, distance=s.distance, time=s.time) for s in sums.surfaces))
+        for name, sums in made_up_sums(work).items()
+    }

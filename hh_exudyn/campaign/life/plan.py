@@ -7,7 +7,7 @@
     [damage]
     law = "archard"
     material = "ER7"
-    cells = [30, 20]
+    cells = [50, 50]
 
     [limits]
     of = "iore_wagon"    # a vehicle of damage/data/limits.toml; without it no wheel is turned
@@ -96,7 +96,7 @@ class CampaignPlan:
 
     collective: Collective
     grouping: Grouping = field(default_factory=Grouping)
-    damage: DamageSettings = field(default_factory=lambda: DamageSettings(cells=(30, 20)))
+    damage: DamageSettings = field(default_factory=DamageSettings)
     step: StepTolerance = field(default_factory=StepTolerance)
     replicates: int = 1
     unmoved: float = 1e-6
@@ -142,7 +142,7 @@ def _campaign(entries: dict[str, Any], source: str, folder: Path) -> CampaignPla
     own = SourcedTable({name: entries[name] for name in OWN_TABLES if name in entries}, source)
     rest = {name: value for name, value in entries.items() if name not in OWN_TABLES}
     collective = Collective(plan_of_entries(rest, source, folder))
-    grouping, damage, step = Grouping(), DamageSettings(cells=(30, 20)), {}
+    grouping, damage, step = Grouping(), DamageSettings(), {}
     if "wheels" in own:
         grouping = _grouping(own.table("wheels"))
     if "damage" in own:
@@ -161,7 +161,7 @@ def _grouping(table: SourcedTable) -> Grouping:
 
 
 def _damage(table: SourcedTable) -> DamageSettings:
-    values: dict[str, Any] = {"cells": (30, 20)}
+    values: dict[str, Any] = {}
     if "law" in table:
         values["law"] = table.text("law", law_names())
     if "material" in table:

@@ -7,7 +7,6 @@ import pytest
 
 from hh_exudyn.campaign.collective import Collective, plan_of_text, read_plan, template_text
 
-EXAMPLES = Path(__file__).parents[3] / "examples" / "campaigns"
 TEXT = template_text()
 
 
@@ -146,15 +145,3 @@ def test_shares_of_hauls_in_a_class_are_whole_and_of_a_class_of_the_line() -> No
         plan_of_text(text.replace('"<350" = 10.0', '"<350" = 5.0'))
     with pytest.raises(ValueError, match="curve class '<300' of Malmbanan and Ofotbanen: allowed <350"):
         _ = Collective(plan_of_text(text.replace('"<350" = ', '"<300" = '))).strata
-
-
-@pytest.mark.parametrize(
-    ("name", "distance", "hauls"),
-    [("wagon", 150e6, {"rolling", "braking"}), ("locomotive", 50e6, {"up", "level", "down"})],
-)
-def test_the_campaigns_of_the_examples_are_plans(name: str, distance: float, hauls: set[str]) -> None:
-    collective = Collective.read(EXAMPLES / f"{name}.toml")
-    assert collective.plan.distance == distance
-    assert {haul.name for running in collective.plan.running for haul in running.hauls} == hauls
-    assert collective.evaluation.startswith("one evaluation: 20 runs")
-    assert len(collective.cases(collective.replicate()[:2])) == 2

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_up_wear import TREAD_AREA, made_up_sums
+from made_up_wear import TREAD_AREA, made_up_sums, scattered_sums
 
 from hh_exudyn.campaign.collective import template_text
 from hh_exudyn.campaign.engine.case_damage import CaseWork
@@ -94,7 +94,9 @@ class Killed(RuntimeError):
     """The end of a process."""
 
 
-@pytest.mark.parametrize("after", [1, 9, 20])
+@pytest.mark.parametrize(
+    "after", [pytest.param(1, marks=pytest.mark.slow), 20, pytest.param(33, marks=pytest.mark.slow)]
+)
 def test_a_killed_campaign_goes_on_to_the_same_bytes(after: int, tmp_path: Path, whole: Campaign) -> None:
     campaign = Campaign.begin(campaign_file(tmp_path), tmp_path / "out")
     left = [after]
@@ -113,3 +115,19 @@ def test_a_killed_campaign_goes_on_to_the_same_bytes(after: int, tmp_path: Path,
     names = {name for name in here if name.startswith(("steps", "evaluations", "profiles"))}
     assert names == {name for name in there if name.startswith(("steps", "evaluations", "profiles"))}
     assert all(here[name] == there[name] for name in names)
+
+
+@pytest.mark.parametrize(("evaluate", "scatter"), [(made_up_sums, False), (scattered_sums, True)])
+def test_the_error_is_that_of_the_scatter_between_samples(evaluate, scatter: bool, tmp_path: Path) -> None:
+    """Samples that are equal have no error and are bought no more than thrice; others have one, stated."""
+    campaign = Campaign.begin(campaign_file(tmp_path), tmp_path / "out")
+    with ThreadPoolExecutor(1) as threads:
+        workers = GivenWorkers(threads, 1)
+        with pytest.raises(ValueError, match="no step has been made yet"):
+            campaign.size(workers, 40, evaluate=evaluate)
+        assert campaign.run(workers, 1.0, evaluate=evaluate)
+        found = campaign.size(workers, 30, error=0.01, evaluate=evaluate)
+    assert found.runs <= 30
+    assert found.reached is not scatter
+    assert bool(found.sampling.max() > 0.01) is scatter
+    assert (tmp_path / "out" / "errors.json").is_file()

@@ -69,6 +69,10 @@ def test_the_worn_area_is_that_of_the_wear() -> None:
     assert filtered == pytest.approx(first, rel=1e-9)
     after = np.trapezoid(1e-3 * hollowing(step.profile).at(WP4.y), s)
     assert worn_area(START, step) == pytest.approx(0.5 * (first + after) * step.distance, rel=1e-3)
+    later = tolerated_step(step, "w", hollowing, 2e6, replace(StepTolerance(), profile=1e-4), TRACK)
+    rates = [float(np.trapezoid(one.next_rate, s)) for one in (step, later) if one.next_rate is not None]
+    worn = sum(rates) / 2.0 * (later.distance - step.distance)
+    assert worn_area(step, later) == pytest.approx(worn, rel=1e-3)
 
 
 def test_it_goes_on_with_the_same_steps(tmp_path: Path) -> None:

@@ -255,6 +255,9 @@ def test_report_names_rails_and_says_what_is_seized(report: DamageReport) -> Non
     assert left["wear_mm_per_MGT"] == pytest.approx(rail.depth_per_mgt.max() * 1e3)
     assert left["gauge_wear_mm_per_MGT"] > 0.0 == right["gauge_wear_mm_per_MGT"]
     assert left["worst_wheelset"] == 1
+    sums = rail.by_wheel
+    assert left["fatigue_share"] == pytest.approx(sums.positive_time.sum() / sums.patch_time.sum())
+    assert 0.0 < left["fatigue_area_index"] < left["fatigue_share"] <= 1.0
     assert left["worst_share"] > 0.5
     assert left["wear_note"] == "not to be extrapolated"
     bins = found.profile_table()
