@@ -19,7 +19,6 @@
 `assess`         assessment of runs after UIC 518 / EN 14363
 `assess_tables`  its tables
 `twist_test`     twist test of a vehicle
-`campaign`       wheels over their life
 `variation`      variants of a campaign, and their comparison
 `track`          alignment, irregularities, lines
 `vehicle`        vehicles and their numbers
