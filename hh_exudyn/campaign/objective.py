@@ -25,8 +25,9 @@ from hh_exudyn.campaign.life.profiles import ProfileFiles
 from hh_exudyn.campaign.life.rates import GroupRates
 from hh_exudyn.campaign.variation.changed import changed_text
 from hh_exudyn.case.fields import is_path
-from hh_exudyn.contact.profile import Profile, read_wheel_profile
-from hh_exudyn.log.parts import write_text
+from hh_exudyn.contact.profile import Profile
+from hh_exudyn.log.parts import write_bytes, write_text
+from hh_exudyn.text_files import read_bytes
 
 _PROFILE = "case.wheel_profile"
 _VALUES = "objective.json"
@@ -83,7 +84,7 @@ def objective(
     -------
     callable
         From a mapping of values by key (`hh_exudyn.campaign.variation.changed.changed_text`) to an
-        `Objective`. A wheel profile is a name, a file, or a `Profile`; those of files count by their points,
+        `Objective`. A wheel profile is a name, a file, or a `Profile`; files of profiles count by their content,
         other files of the campaign must not change. It raises ValueError for parameters that are not allowed,
         and what `Campaign.run` raises.
     """
@@ -114,13 +115,17 @@ def objective(
 
 
 def _with_profiles(parameters: Mapping[str, Any], folder: Path) -> dict[str, Any]:
-    """Parameters with wheel profiles as files named by their points."""
+    """Parameters with wheel profiles as files named by their content."""
     files, found = ProfileFiles((folder / "profiles").resolve()), dict(parameters)
     for key, value in parameters.items():
-        if key == _PROFILE and isinstance(value, str) and is_path(value):
-            value = read_wheel_profile(value)
         if isinstance(value, Profile):
             found[key] = str(files.path(files.put(value)))
+        elif key == _PROFILE and isinstance(value, str) and is_path(value):
+            content = read_bytes(value)
+            name = hashlib.sha256(content).hexdigest()[:16] + Path(value).suffix
+            files.directory.mkdir(parents=True, exist_ok=True)
+            write_bytes(files.directory / name, content)
+            found[key] = str(files.directory / name)
     return found
 
 
