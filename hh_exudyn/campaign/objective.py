@@ -84,9 +84,9 @@ def objective(
     -------
     callable
         From a mapping of values by key (`hh_exudyn.campaign.variation.changed.changed_text`) to an
-        `Objective`. A wheel profile is a name, a file, or a `Profile`; files of profiles count by their content,
-        other files of the campaign must not change. It raises ValueError for parameters that are not allowed,
-        and what `Campaign.run` raises.
+        `Objective`. A wheel profile is a name, a file, or a `Profile`; files of profiles count by their
+        content, other files of the campaign must not change. It raises ValueError for parameters that are not
+        allowed, and what `Campaign.run` raises.
     """
     folder = Path(folder)
 
