@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 from command_line import call, refused
-from made_up_campaign import campaign_file
 from made_up_wear import made_up_sums
+from small_campaign import small_campaign_file
 
 from hh_exudyn.campaign.engine.workers import GivenWorkers
 from hh_exudyn.campaign.variation import run_variants, variants
@@ -26,13 +26,13 @@ REFUSED = {
 
 @pytest.mark.parametrize("words", REFUSED, ids=" ".join)
 def test_what_is_refused_leaves_nothing(words: tuple[str, ...], tmp_path: Path) -> None:
-    path = campaign_file(tmp_path)
+    path = small_campaign_file(tmp_path)
     assert REFUSED[words] in refused("campaign", "vary", path, *words, "--out", tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
 
 def test_variants_that_are_there_are_compared_and_not_run(tmp_path: Path) -> None:
-    path, folder = campaign_file(tmp_path, groups="all"), tmp_path / "out"
+    path, folder = small_campaign_file(tmp_path, groups="all"), tmp_path / "out"
     with ThreadPoolExecutor(1) as threads:
         texts = variants(path, {"material": ["ER7", "ER9"], "case.wheel_profile": ["S1002"]})
         run_variants(texts, folder, GivenWorkers(threads, 1), 1e6, evaluate=made_up_sums)

@@ -41,7 +41,7 @@ def test_ore_keeps_its_floor_and_its_density() -> None:
 
 def test_what_has_no_payload() -> None:
     assert not carries_payload(find_variant("iore_wagon_empty"))
-    with pytest.raises(ValueError, match="iore_locomotive carries no wagon.payload"):
+    with pytest.raises(ValueError, match=r"iore_locomotive carries no wagon\.payload"):
         with_axle_load(find_variant("iore_locomotive"), 30e3)
-    with pytest.raises(ValueError, match="axle load 5 t of iore_wagon_loaded: allowed above 5.4 t, empty"):
+    with pytest.raises(ValueError, match=r"axle load 5 t of iore_wagon_loaded: allowed above 5\.4 t, empty"):
         with_axle_load(find_variant("iore_wagon_loaded"), 5e3)

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pyarrow
 import pytest
-from made_up_campaign import campaign_file
 from made_up_wear import CRACK_RATE, TREAD_RATE, made_up_sums
+from small_campaign import small_campaign_file
 
 from hh_exudyn.campaign.engine.case_damage import CaseWork
 from hh_exudyn.campaign.engine.sums import DamageSums, PartSums
@@ -46,7 +46,7 @@ def run(
 
 @pytest.fixture(scope="module")
 def texts(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
-    return variants(campaign_file(tmp_path_factory.mktemp("file"), groups="all"), LOADS)
+    return variants(small_campaign_file(tmp_path_factory.mktemp("file"), groups="all"), LOADS)
 
 
 @pytest.fixture(scope="module")
@@ -86,11 +86,16 @@ def test_what_is_there_is_not_run_again(whole, texts: dict[str, str]) -> None:
     ]
 
 
+def stored(folder: Path) -> set[tuple[str, str]]:
+    """Variants and keys of all results."""
+    return {(path.parents[2].name, path.stem) for path in folder.glob("*/results/sums/*.npz")}
+
+
 def test_an_interrupted_variation_runs_nothing_twice(texts: dict[str, str], tmp_path: Path, whole) -> None:
     folder, ran = tmp_path / "out", []
 
     def counted(work: CaseWork) -> PartSums:
-        ran.append(work.key)
+        ran.append((work.scratch.parents[1].name, work.key))
         return by_load(work)
 
     def interrupting(name: str, standing: CampaignStanding) -> None:
@@ -99,12 +104,12 @@ def test_an_interrupted_variation_runs_nothing_twice(texts: dict[str, str], tmp_
 
     with pytest.raises(KeyboardInterrupt):
         run(texts, folder, 2e3, counted, progress=interrupting)
-    kept = {path.stem for path in folder.glob("*/results/sums/*.npz")}
+    kept = stored(folder)
     ran.clear()
     assert all(one.reached for one in run(texts, folder, 2e3, counted))
     assert ran
     assert kept.isdisjoint(ran)
-    everything = {path.stem for path in whole[0].glob("*/results/sums/*.npz")}
+    everything = stored(whole[0])
     assert {*kept, *ran} == everything
     assert len(kept) + len(ran) == len(everything)
 
