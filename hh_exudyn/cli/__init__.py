@@ -5,7 +5,7 @@
 `run`            run, demo, playback
 `changes`        other inputs for a case: --vehicle, --set, --vary
 `matrix`         many runs at once
-`campaign`       campaigns: new, run, error, status
+`campaign`       campaigns: new, run, vary, error, status
 `compare`        runs beside each other
 `elements`       tables of a run by element of its track
 `check_rails`    forces of check rails on flange backs
