@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from made_up_wear import CRACK_RATE, FLANGE_RATE, TREAD_AREA, TREAD_RATE, made_up_sums
-from small_campaign import small_campaign_file
+from small_campaign import by_load, small_campaign_file
 
 from hh_exudyn.campaign.engine.case_damage import CaseWork
 from hh_exudyn.campaign.engine.mapping import TooManyFailed
@@ -47,7 +47,7 @@ def test_units(tmp_path: Path, workers: GivenWorkers) -> None:
 def test_it_is_a_function_of_its_parameters(tmp_path: Path, workers: GivenWorkers) -> None:
     """The order of calls and of parameters, and the folder, do not matter."""
     one, two = {"axle_load": 28, "season.dry.share_percent": 40.0}, {"lubrication": 0.0}
-    first, second = made(tmp_path / "a", workers), made(tmp_path / "b", workers)
+    first, second = (made(tmp_path / name, workers, by_load) for name in "ab")
     found = first(one)
     assert second(two) != found
     assert second(dict(reversed(one.items()))) == found

@@ -12,8 +12,8 @@ TABLE = 'vehicle = { base = "iore_wagon_loaded", wedge = { friction = 0.2 } }'
 
 
 def collective(vehicle: str, folder: Path | None = None) -> Collective:
-    assert TEXT.count(NAMED) == 1
-    return Collective(plan_of_text(TEXT.replace(NAMED, vehicle), "campaign", folder))
+    assert TEXT.count(f"\n{NAMED}") == 1
+    return Collective(plan_of_text(TEXT.replace(f"\n{NAMED}", f"\n{vehicle}"), "campaign", folder))
 
 
 def test_a_name_is_a_vehicle_of_the_catalogue() -> None:

@@ -1,16 +1,15 @@
 """Variants run one after the other: folders, resuming, time, failures, the comparison."""
 
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
 from pathlib import Path
 
 import pyarrow
 import pytest
-from made_up_wear import CRACK_RATE, TREAD_RATE, made_up_sums
-from small_campaign import small_campaign_file
+from made_up_wear import CRACK_RATE, TREAD_RATE
+from small_campaign import by_load, small_campaign_file
 
 from hh_exudyn.campaign.engine.case_damage import CaseWork
-from hh_exudyn.campaign.engine.sums import DamageSums, PartSums
+from hh_exudyn.campaign.engine.sums import PartSums
 from hh_exudyn.campaign.engine.workers import GivenWorkers
 from hh_exudyn.campaign.life.campaign import Campaign, CampaignStanding
 from hh_exudyn.campaign.variation import run_variants, runner, variants
@@ -18,22 +17,6 @@ from hh_exudyn.campaign.variation.comparison import comparison_table
 from hh_exudyn.campaign.variation.runner import Outcome
 
 LOADS = {"axle_load": [25, 30]}
-
-
-def by_load(work: CaseWork) -> PartSums:
-    """Made-up sums that grow with the mass of the vehicle."""
-    factor = work.case.described_vehicle().mass / 120e3
-    return {
-        name: DamageSums(
-            tuple(
-                replace(
-                    surface.scaled(factor * surface.distance), distance=surface.distance, time=surface.time
-                )
-                for surface in sums.surfaces
-            )
-        )
-        for name, sums in made_up_sums(work).items()
-    }
 
 
 def run(
