@@ -33,7 +33,8 @@ def profiles_figure(history: WearHistory) -> Figure:
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(1, 1))
     shown = _shown(history)
     first = history.steps[0]
-    scale = Normalize(0.0, max(1e-3 * history.last.distance, 1.0))
+    begun = 1e-3 * first.distance
+    scale = Normalize(begun, max(1e-3 * history.last.distance, begun + 1.0))
     for step in shown:
         colour = _COLOURS(scale(1e-3 * step.distance))
         y, z = _on_axle(first, step)

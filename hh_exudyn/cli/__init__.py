@@ -6,6 +6,7 @@
 `changes`        other inputs for a case: --vehicle, --set, --vary
 `matrix`         many runs at once
 `campaign`       campaigns: new, run, vary, error, status
+`campaign_show`  what campaigns have found: show, compare
 `compare`        runs beside each other
 `elements`       tables of a run by element of its track
 `check_rails`    forces of check rails on flange backs

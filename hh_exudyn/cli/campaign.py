@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from hh_exudyn.cli import inputs, output
+from hh_exudyn.cli import campaign_show, inputs, output
 from hh_exudyn.cli.inputs import BadInput
 
 if TYPE_CHECKING:
@@ -31,6 +31,7 @@ _UNITS = {"s": 1.0, "min": 60.0, "h": 3600.0}
 
 def register(app: typer.Typer) -> None:
     """Add the commands of this file to the program."""
+    campaign_show.register(campaign)
     app.add_typer(campaign, name="campaign")
 
 
@@ -87,6 +88,7 @@ def run(
         with inputs.refused_as_bad_input():
             begun = Campaign.begin(file, out)
             open_workers = _workers(workers, scheduler)
+        output.print_line(begun.plan.of_steps.evaluation)
         goal = None if distance_km is None else 1e3 * distance_km
         try:
             with open_workers as pool, _progress() as report, inputs.refused_as_bad_input():

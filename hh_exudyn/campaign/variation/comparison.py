@@ -1,30 +1,32 @@
 """Wear and cracks of the wheels of several campaigns at the distance that all have reached, as a table."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import pyarrow
 
 from damage.figures.evolution import worn_depth
 from damage.life.condition import WheelCondition, between
-from damage.life.places import WheelPlaces
+from damage.life.places import PLACES
 from hh_exudyn.campaign.life.campaign import Campaign
+from hh_exudyn.campaign.results.recorded import Recorded
 
 _MEASURES = {"flange_height": "Sh", "flange_thickness": "Sd", "flange_steepness": "qR"}
+_ROUNDING = 1e-9  # of a distance
 
 
 def comparison_table(campaigns: Mapping[str, Campaign]) -> pyarrow.Table:
     """A row for each campaign and group of wheels.
 
-    Columns: campaign, group; distance that all have reached; turnings until then; changes of Sh, Sd and qR
-    from new [mm]; worn depth of tread, root and flange, and largest Miner's sum on the tread by each index
-    without what wears off, both per 1000 km of the present life. They are null for a life without two states,
-    of which there is none to compare (a wheel is stored before it is turned).
+    Columns: campaign, group; distance that all have reached; how often the wheels were turned or replaced
+    before; changes of Sh, Sd and qR from new [mm]; worn depth of tread, root and flange, and largest Miner's
+    sum on the tread by each index without what wears off, both per 1000 km of the present life, running-in
+    included.
 
     Parameters
     ----------
     campaigns
-        By name; each with a step.
+        By name.
 
     Raises
     ------
@@ -33,51 +35,37 @@ def comparison_table(campaigns: Mapping[str, Campaign]) -> pyarrow.Table:
     """
     if not campaigns:
         raise ValueError("no campaign to compare: allowed one or more")
-    states = {name: _states(name, one) for name, one in campaigns.items()}
-    common = min(next(iter(one[-1].values())).step.distance for one in states.values())
+    recorded = {name: Recorded.of(one) for name, one in campaigns.items()}
+    common = min(one.distance for one in recorded.values())
     rows = [
-        {"campaign": name, "group": group} | _row([one[group] for one in found], common)
-        for name, found in states.items()
-        for group in found[0]
+        {"campaign": name, "group": group} | _row(one, group, common)
+        for name, one in recorded.items()
+        for group in one.groups
     ]
     return pyarrow.Table.from_pylist(rows)
 
 
-def _states(name: str, campaign: Campaign) -> list[dict[str, WheelCondition]]:
-    """The wheels after every step, the start among them."""
-    count = campaign.files.count
-    if count < 2:
-        raise ValueError(f"{name}: the campaign has made no step yet")
-    return [campaign.files.conditions(number) for number in range(count)]
-
-
-def _row(states: list[WheelCondition], distance: float) -> dict[str, object]:
+def _row(recorded: Recorded, group: str, distance: float) -> dict[str, object]:
     """Numbers of one group at a distance."""
-    new, now = states[0], _at(states, distance)
-    life = [one for one in states if one.turned_at == now.turned_at]
-    places, begun = WheelPlaces.of(new.step.profile), life[0].step
-    way = 1e-6 * (now.step.distance - begun.distance)  # 1000 km
-    row: dict[str, object] = {"distance_km": 1e-3 * distance, "turnings": now.turnings}
+    lives = recorded.lives[group]
+    begun = [life for life in lives if life[0].step.distance < distance * (1.0 - _ROUNDING)]
+    new, first, now = lives[0][0], begun[-1][0], _within(begun[-1], distance)
+    places, y = recorded.places(group), first.step.profile.y
+    way = 1e-6 * (now.step.distance - first.step.distance)  # 1000 km
+    row: dict[str, object] = {"distance_km": 1e-3 * distance, "turnings": len(begun) - 1}
     for measure, name in _MEASURES.items():
         change = getattr(now.step.measures, measure) - getattr(new.step.measures, measure)
         row[f"{name}_change_mm"] = 1e3 * change
-    worn = np.maximum(worn_depth(begun, now.step), 0.0) if way > 0.0 else None
-    for place in ("tread", "root", "flange"):
-        deepest = None if worn is None else places.largest(worn, begun.profile.y)[place]
-        row[f"{place}_um_per_1000_km"] = None if deepest is None else 1e6 * deepest / way
-    rolled = 1e-6 * now.since_turning
+    deepest = places.largest(np.maximum(worn_depth(first.step, now.step), 0.0), y)
+    row |= {f"{place}_um_per_1000_km": 1e6 * deepest[place] / way for place in PLACES}
     for index, layer in now.cracks.items():
         grown = places.largest(layer.damage_without_wear, layer.grid.lateral)["tread"]
-        row[f"tread_miner_{index}_per_1000_km"] = grown / rolled if rolled > 0.0 else None
+        row[f"tread_miner_{index}_per_1000_km"] = grown / way
     return row
 
 
-def _at(states: list[WheelCondition], distance: float) -> WheelCondition:
-    """The wheels at a distance; where they were turned in that step, as they were at its start."""
-    number = next(i for i, one in enumerate(states) if one.step.distance >= distance * (1.0 - 1e-9))
-    before, after = states[max(number - 1, 0)], states[number]
-    if before.turnings != after.turnings or before.turned_at != after.turned_at:
-        return before if after.step.distance > distance * (1.0 + 1e-9) else after
-    if number == 0:
-        return after
-    return between(before, after, min(distance, after.step.distance))
+def _within(life: Sequence[WheelCondition], distance: float) -> WheelCondition:
+    """The wheels of a life at a distance behind its start."""
+    least = distance * (1.0 - _ROUNDING)
+    number = next(i for i, one in enumerate(life) if one.step.distance >= least)
+    return between(life[number - 1], life[number], min(distance, life[number].step.distance))
