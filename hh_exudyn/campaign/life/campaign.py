@@ -125,6 +125,11 @@ class Campaign:
         write_text(directory / IDENTITY, json.dumps({"file": str(file), "folder": str(folder)}) + "\n")
         return cls(directory)
 
+    @property
+    def text(self) -> str:
+        """Of the file, as it was at the start."""
+        return self._text
+
     @cached_property
     def plan(self) -> CampaignPlan:
         """Of the file, as it was at the start."""

@@ -276,24 +276,70 @@ class Evaluation:
 
     def _content(self, digest: str) -> dict[str, Any] | None:
         """What the record of an evaluation holds; None where it was not made, or not to its end."""
-        try:
-            found: dict[str, Any] = json.loads((self._records / f"{digest}.json").read_text(encoding="utf-8"))
-        except FileNotFoundError:
-            return None
-        return found
+        return _content_of(self._records / f"{digest}.json")
 
     def _record(self, digest: str) -> dict[str, LastRun] | None:
         """Results of an evaluation by slot."""
         content = self._content(digest)
-        if content is None:
-            return None
-        return {name: LastRun(one["key"], one["profiles"]) for name, one in content["cases"].items()}
+        return None if content is None else _last_runs(content)
 
     def _write(self, digest: str, digests: Mapping[str, str], found: Mapping[str, LastRun]) -> None:
         cases = {name: {"key": last.key, "profiles": dict(last.profiles)} for name, last in found.items()}
         self._records.mkdir(parents=True, exist_ok=True)
         content = {"profiles": dict(digests), "cases": cases}
         write_text(self._records / f"{digest}.json", json.dumps(content, indent=1, sort_keys=True) + "\n")
+
+
+def recorded_rates(
+    plan: CampaignPlan, directory: Path, folder: ResultFolder, digest: str
+) -> GroupRatesByCase:
+    """Rates of every weighted case of an evaluation that was made; nothing is run, nothing is written.
+
+    Parameters
+    ----------
+    plan, directory
+        Of the campaign.
+    folder
+        Of its results; need not be open.
+    digest
+        Name of the evaluation.
+
+    Raises
+    ------
+    ValueError
+        There is no such evaluation, or it had other cases.
+    FileNotFoundError, BrokenFile
+        A result is gone, or is not what was written.
+    """
+    content = _content_of(directory / EVALUATIONS / f"{digest}.json")
+    found = {} if content is None else _last_runs(content)
+    slots = [_slot(plan, weighted) for weighted in plan.of_steps.cases()]
+    if any(slot.name not in found for slot in slots):
+        raise ValueError(f"{directory}: holds no evaluation {digest!r} of the cases of its file")
+    rates: dict[str, Mapping[str, GroupRates]] = {}
+    rows = []
+    for slot in slots:
+        key = found[slot.name].key
+        if folder.failure(key) is not None:
+            continue
+        if slot.name not in rates:
+            rates[slot.name] = rates_of_case(folder.sums(key), slot.weighted, slot.vehicle, slot.groups)
+        rows.append((slot.weighted, rates[slot.name]))
+    return tuple(rows)
+
+
+def _content_of(path: Path) -> dict[str, Any] | None:
+    """What a record holds; None where there is none."""
+    try:
+        found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        return None
+    return found
+
+
+def _last_runs(content: Mapping[str, Any]) -> dict[str, LastRun]:
+    """Results of a record by slot."""
+    return {name: LastRun(one["key"], one["profiles"]) for name, one in content["cases"].items()}
 
 
 def _slot(plan: CampaignPlan, weighted: WeightedCase) -> _Slot:
