@@ -4,5 +4,6 @@
 `collective`       the load collective: weighted cases of a line, vehicles, loads and seasons
 `engine`           cases to damage sums: over processes or a cluster, results kept in files
 `life`             groups of wheels over the distance: rates, steps, folder
+`uncertainty`      bands of life and wear from what is assumed, without new runs
 =================  ==================================================================================
 """
