@@ -1,8 +1,8 @@
 """What is assumed in a campaign: numbers with ranges that a study varies, and those that it cannot.
 
-Varied are shares of the load collective, what films take off wear, the dry wear coefficients, cracks, limits and
-places of the wheel, and the errors of sampling where the campaign knows them. All else that has a range (friction,
-gauge, speeds, lengths, irregularity, steel) would need other runs, and is named with the reason.
+Varied are shares of the load collective, what films take off wear, the dry wear coefficients, cracks, limits
+and places of the wheel, and the errors of sampling where the campaign knows them. All else that has a range
+(friction, gauge, lengths, irregularity, steel) would need other runs, and is named with the reason.
 """
 
 import json
@@ -174,8 +174,8 @@ def _wear(plan: CampaignPlan, films: FilmWear) -> Iterator[Assumption | NotVarie
         for end in (0, 1)
     )
     source = (
-        "assumed: one factor for all regions of Jendel's map, as wear here is a mix; the mean of their ranges over "
-        "their values"
+        "assumed: one factor for all regions of Jendel's map, as wear here is a mix; the mean of their "
+        "ranges over their values"
     )
     yield Assumption(
         made(DRY, value=1.0, unit="-", source=source, range=(low, high)), "dry wear coefficients"

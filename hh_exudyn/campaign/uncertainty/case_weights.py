@@ -30,8 +30,8 @@ def shared(nominal: Mapping[str, float], values: Mapping[str, float]) -> dict[st
     nominal
         By name, with the sum 1.
     values
-        Of those that change, by name; where they leave nothing for the others, or there are no others, they are
-        scaled to the sum 1.
+        Of those that change, by name; where they leave nothing for the others, or there are no others, they
+        are scaled to the sum 1.
     """
     changed = math.fsum(values.values())
     others = math.fsum(share for name, share in nominal.items() if name not in values)
@@ -43,7 +43,7 @@ def shared(nominal: Mapping[str, float], values: Mapping[str, float]) -> dict[st
 
 @dataclass(frozen=True, eq=False)
 class _Margin:
-    """Sums of weights that are wanted: of what kind every case is, and the name of the share of every kind."""
+    """Sums of weights that are wanted: the kind of every case, and the name of the share of every kind."""
 
     of_case: IntArray
     sums: FloatArray  # as in the collective

@@ -1,8 +1,8 @@
 """The life of a campaign's wheels for other values of what is assumed: from the rates of its last evaluation.
 
 Nothing is run: the rates of every case lie on disk. They are weighted anew, scaled, and carried on from new
-wheels at constant rates (`damage.life.forecast`), some 0.1 s for a group of wheels. What that leaves out: the rates
-are those of the wheels at the campaign's last step, and a wheel that wears otherwise would have others.
+wheels at constant rates (`damage.life.forecast`), some 0.1 s for a group of wheels. What that leaves out: the
+rates are those of the wheels at the campaign's last step, and a wheel that wears otherwise would have others.
 """
 
 from collections.abc import Mapping
@@ -24,10 +24,14 @@ from hh_exudyn.campaign.life.stored_rows import rows_of_last_evaluation
 from hh_exudyn.campaign.uncertainty.assumptions import CRACK_ERROR, DRY, WEAR_ERROR, assumptions_of
 from hh_exudyn.campaign.uncertainty.case_weights import CaseWeights
 from hh_exudyn.campaign.uncertainty.film_wear import FilmWear
+from hh_exudyn.contact.profile import Profile
+from hh_exudyn.contact.profiles.cleaning import arc_length
 
 NO_CAUSE = "none"
+NO_PROFILE = "no valid profile"
 _TREAD = (-5e-3, 5e-3)  # about the running circle [m]
 _FACE = 2.5e-3  # on either side of where Sd is measured [m]
+_SPACING = 0.2e-3  # m, of the points of a profile: 0.4 um off a radius of 14 mm
 _NEVER = WheelLimits(1e-3, 10.0, 1e-6, 1.0, 1.0, 1e-6, 1.0, 1e6, 1e6, 1.0)  # that no wheel reaches
 _LENGTHS = {"cracks.largest_length": "largest_crack_length", "cracks.length_over_depth": "length_over_depth"}
 
@@ -40,12 +44,12 @@ class Outcome:
     ----------
     first_turning
         Distance from new wheels to their first turning [m]; infinite where no limit is reached, or where no
-        wheel is turned in the campaign.
+        wheel is turned in the campaign; NaN where wear leaves no valid profile before.
     cause
-        Measure that is first at its limit; `NO_CAUSE` without one.
+        Measure that is first at its limit; `NO_CAUSE` or `NO_PROFILE` without one.
     tread, flange
-        Wear depth per metre rolled [m/m]: mean over 10 mm about the running circle, and over 5 mm of the flange
-        face about the place where Sd is measured.
+        Wear depth per metre rolled [m/m]: mean over 10 mm about the running circle, and over 5 mm of the
+        flange face about the place where Sd is measured.
     flange_height, flange_thickness, flange_steepness
         Sh, Sd, qR after the distance of the campaign, without turning [m]; NaN where that much wear leaves no
         valid profile.
@@ -98,12 +102,12 @@ class FastLife:
         self.assumptions = assumptions_of(
             self.plan, campaign.directory, self._weights, self._films, self.groups
         )
-        self._start = campaign.start()
+        self._start = {group: _coarser(wheels) for group, wheels in campaign.start().items()}
         self._lives: dict[tuple[object, ...], tuple[float, str]] = {}
         self._ends: dict[tuple[object, ...], tuple[float, float, float]] = {}
 
     def weights(self, values: Mapping[str, float]) -> FloatArray:
-        """(cases,) weights of the stored cases, which sum to 1, for values by name; what is not named is as it is."""
+        """(cases,) weights of the stored cases for values by name; they sum to 1."""
         return self._weights.at(values)
 
     def rates(self, group: str, values: Mapping[str, float]) -> GroupRates:
@@ -161,12 +165,16 @@ class FastLife:
             wheels, own = self._start[group], workshop.limits
             usual = next(iter(wheels.cracks.values())).failure_depth
             depth = 1e-3 * limits.get("cracks.failure_depth", 1e3 * usual)
-            found = life_from_rates(
-                _with_cracks(wheels, depth), life, _changed(own, limits, depth / usual), places,
-                workshop.inspection, LONGEST,
-            )  # fmt: skip
-            cause = found.crossings[0].reason.measure if found.crossings else NO_CAUSE
-            self._lives[key] = found.distance, cause
+            try:
+                found = life_from_rates(
+                    _with_cracks(wheels, depth), life, _changed(own, limits, depth / usual), places,
+                    workshop.inspection, LONGEST,
+                )  # fmt: skip
+            except ValueError:
+                self._lives[key] = np.nan, NO_PROFILE
+            else:
+                cause = found.crossings[0].reason.measure if found.crossings else NO_CAUSE
+                self._lives[key] = found.distance, cause
         return self._lives[key]
 
     def _end(self, group: str, life: LifeRates) -> tuple[float, float, float]:
@@ -182,6 +190,15 @@ class FastLife:
             except ValueError:  # so much wear leaves no valid profile
                 self._ends[key] = (np.nan, np.nan, np.nan)
         return self._ends[key]
+
+
+def _coarser(wheels: WheelCondition) -> WheelCondition:
+    """Wheels with points at equal distances: points much nearer than bins of wear soon fold over each other."""
+    profile = wheels.step.profile
+    arc = arc_length(profile.y, profile.z)
+    places = np.linspace(0.0, arc[-1], 1 + int(np.ceil(arc[-1] / _SPACING)))
+    y, z = (np.interp(places, arc, values) for values in (profile.y, profile.z))
+    return replace(wheels, step=replace(wheels.step, profile=Profile(profile.name, "wheel", y, z)))
 
 
 def _stored(rates: list[GroupRates | None]) -> _Stored:

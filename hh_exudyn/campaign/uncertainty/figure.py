@@ -14,9 +14,9 @@ _LOW, _HIGH, _BAND = "#2c7fb8", "#d95f0e", "0.35"
 def uncertainty_figure(found: Study) -> Figure:
     """First turning, tread wear and flange wear, a column each.
 
-    Above, for every group of wheels, the band of 5 to 95 %, the median (line) and the value with everything as
-    it is (dot). Below, a tornado: the quantity of all wheels with one assumption alone at the low (blue) and
-    at the high end (orange) of its range, the most important assumption first.
+    Above, for every group of wheels, the band of 5 to 95 %, the median (line) and the value with everything
+    as it is (dot). Below, a tornado: the quantity of all wheels with one assumption alone at the low (blue)
+    and at the high end (orange) of its range, the most important assumption first.
 
     Parameters
     ----------

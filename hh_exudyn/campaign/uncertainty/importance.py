@@ -1,8 +1,8 @@
 """Importance of inputs by SALib: which of them a result depends on, over the unit cube of their quantiles.
 
 ``"morris"``  mu*, the mean size of the elementary effects (M. D. Morris, Technometrics 33 (1991); mu* of F.
-              Campolongo et al., Environ. Modell. Softw. 22 (2007)): the change of the result over the whole of
-              an input. Trajectories x (inputs + 1) points: cheap.
+              Campolongo et al., Environ. Modell. Softw. 22 (2007)): the change of the result over the whole
+              of an input. Trajectories x (inputs + 1) points: cheap.
 ``"sobol"``   S_T, the share of the variance that an input has a part in (A. Saltelli et al., Comput. Phys.
               Commun. 181 (2010)), by a quasi-random sample of a power of two x (inputs + 2) points.
 """
@@ -74,16 +74,22 @@ def importance_of(method: str, points: FloatArray, results: FloatArray, seed: in
     points
         (n, k) of it.
     results
-        (n,) at them, finite.
+        (n,) at them; Morris leaves out trajectories with a result that is not finite.
 
     Raises
     ------
     ValueError
-        As `points_of`, or results that are not finite.
+        As `points_of`, or results that are not finite: with Morris in all trajectories but one.
     """
-    if not np.isfinite(results).all():
-        raise ValueError(f"{int((~np.isfinite(results)).sum())} of {results.size} results are not finite")
-    inputs = points.shape[1]
+    inputs, known = points.shape[1], np.isfinite(results)
+    if method == "morris":
+        known = np.repeat(known.reshape(-1, inputs + 1).all(axis=1), inputs + 1)
+    if not known.all() and (method != "morris" or known.sum() <= inputs + 1):
+        raise ValueError(
+            f"{int((~np.isfinite(results)).sum())} of {results.size} lives are not known, as wear leaves no "
+            f"valid profile: the importance by {method} needs them"
+        )
+    points, results = points[known], results[known]
     if np.ptp(results) == 0.0:
         return Importance(np.zeros(inputs), np.zeros(inputs))
     _, analyze = _modules(method)

@@ -44,7 +44,7 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True)
 class Band:
-    """A quantity of a group of wheels: as it is, and its quantiles of 5, 50 and 95 %, in the unit of `UNITS`."""
+    """A quantity of a group of wheels: as it is, and quantiles of 5, 50 and 95 %, in the unit of `UNITS`."""
 
     group: str
     quantity: str
@@ -65,8 +65,8 @@ class Influence:
     importance, half_width
         mu* of ln (a relative change) or S_T, and half its interval of 95 %.
     at_ends
-        The quantity with this alone at the low and the high end of its range, in the unit of `UNITS`; None for
-        an assumption that is not among the `MOST` important.
+        The quantity with this alone at the low and the high end of its range, in the unit of `UNITS`; None
+        for an assumption that is not among the `MOST` important.
     """
 
     assumption: Assumption
@@ -164,7 +164,7 @@ def whole(outcomes: Mapping[str, Outcome]) -> dict[str, float]:
         By group. Where none of them is ever turned the first turning is infinite.
     """
     return {
-        FIRST: min(_shown(one, FIRST) for one in outcomes.values()),
+        FIRST: float(np.min([_shown(one, FIRST) for one in outcomes.values()])),
         TREAD: math.fsum(_shown(one, TREAD) for one in outcomes.values()) / len(outcomes),
         FLANGE: math.fsum(_shown(one, FLANGE) for one in outcomes.values()) / len(outcomes),
     }
