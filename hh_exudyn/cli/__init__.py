@@ -19,6 +19,7 @@
 `assess_tables`  its tables
 `twist_test`     twist test of a vehicle
 `track`          alignment, irregularities, lines
+`campaign`       campaigns; in `campaign_uncertainty` bands of life and wear
 `vehicle`        vehicles and their numbers
 `linear`         modes and critical speeds
 `parameters`     every number of the data files

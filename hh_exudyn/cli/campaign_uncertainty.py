@@ -83,10 +83,11 @@ def _progress() -> Iterator[Callable[[int, int], None]]:
 
 def _print(found: "Study", assumptions: "Assumptions", kilometres: float) -> None:
     """Bands, causes, the assumptions that matter most, and what is not varied."""
+    from hh_exudyn.campaign.uncertainty.assumptions import NO_RANGE
     from hh_exudyn.campaign.uncertainty.study import FIRST, MOST, UNITS
 
     title = f"Bands over {found.samples} samples; Sh, Sd, qR after {kilometres:.0f} km without turning"
-    table = output.new_table(title, ("group", "quantity", "unit", "as it is", "5 %", "50 %", "95 %"))
+    table = output.new_table(title, ("group", "quantity", "unit", "nominal", "5 %", "50 %", "95 %"))
     for column in table.columns[:3]:
         column.justify = "left"
     for band in found.bands:
@@ -104,20 +105,19 @@ def _print(found: "Study", assumptions: "Assumptions", kilometres: float) -> Non
     for quantity, influences in found.influences.items():
         shown = word if quantity == FIRST or found.method == "sobol" else "mu*, relative"
         _print_influences(
-            f"\n{quantity} of all wheels [{UNITS[quantity]}], as it is {_shown(found.nominal[quantity])}",
+            f"\n{quantity} of all wheels [{UNITS[quantity]}], nominal {_shown(found.nominal[quantity])}",
             shown,
             influences[:MOST],
         )
-    ranged = [one for one in assumptions.not_varied if one.parameter.range is not None]
     output.print_line("\nNot varied:")
-    for one in ranged:
-        low, high = one.parameter.range or (0.0, 0.0)
-        output.print_line(
-            f"  {one.parameter.name} = {one.parameter.value:g} {one.parameter.unit} ({low:g} to {high:g}): "
-            f"{one.reason}"
-        )
-    others = [one.parameter.name for one in assumptions.not_varied if one.parameter.range is None]
+    fixed = [one for one in assumptions.not_varied if one.reason != NO_RANGE]
+    for one in fixed:
+        parameter = one.parameter
+        span = "no range" if parameter.range is None else "{:g} to {:g}".format(*parameter.range)
+        output.print_line(f"  {parameter.name} = {parameter.value:g} {parameter.unit} ({span}): {one.reason}")
+    others = [one.parameter.name for one in assumptions.not_varied if one.reason == NO_RANGE]
     output.print_line(f"  assumed without a range: {', '.join(others) or 'none'}")
+    output.print_line("  and the numbers of vehicles, profiles and track: hh-exudyn parameters lists them")
 
 
 def _print_influences(title: str, word: str, influences: "tuple[Influence, ...]") -> None:

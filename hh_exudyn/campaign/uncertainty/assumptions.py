@@ -18,6 +18,7 @@ from hh_exudyn.campaign.life.plan import CampaignPlan
 from hh_exudyn.campaign.uncertainty.case_weights import CaseWeights, sharings
 from hh_exudyn.campaign.uncertainty.film_wear import NAMES, FilmWear
 from hh_exudyn.sourced import Parameter, made
+from track.friction import ZONES
 
 DRY = "wear.dry"
 """Factor on the dry wear coefficients."""
@@ -34,7 +35,8 @@ _OTHERWISE = {
     "limits.turning.below_crack": "counts from the first turning on",
 }
 _NEEDS_RUNS = "needs other runs"
-_NO_RANGE = "has no range"
+NO_RANGE = "has no range"
+_FRICTION = (0.2, 0.75)  # over the weather of the line, Hossein-Nia 2018, 1.1.5
 
 
 @dataclass(frozen=True)
@@ -119,9 +121,8 @@ def assumptions_of(
     varied: list[Assumption] = []
     left: list[NotVaried] = []
     labels = _share_labels(plan)
-    for number in (*plan.collective.assumed(), *plan.collective.plan.numbers, *plan.numbers):
-        if any(number.name == one.parameter.name for one in (*varied, *left)):
-            continue
+    numbers = (*plan.collective.assumed(), *plan.collective.plan.numbers, *plan.numbers)
+    for number in dict.fromkeys(numbers):  # the assumed ones of the file are there twice
         if number.range is not None and number.name in weights.names:
             varied.append(Assumption(number, labels[number.name]))
         elif number.range is not None and number.name in labels:
@@ -129,9 +130,13 @@ def assumptions_of(
         elif number.range is not None:
             left.append(NotVaried(number, _NEEDS_RUNS))
         elif number.kind == "assumed":
-            left.append(NotVaried(number, _NO_RANGE))
-    for one in (*_speeds(plan), *_wear(plan, films), *_limits(plan), *_errors(directory, groups)):
-        (varied if isinstance(one, Assumption) else left).append(one)  # type: ignore[arg-type]
+            left.append(NotVaried(number, NO_RANGE))
+    others: list[Assumption | NotVaried] = [*_of_runs(plan), *_wear(plan, films), *_limits(plan)]
+    for one in (*others, *_errors(directory, groups)):
+        if isinstance(one, Assumption):
+            varied.append(one)
+        else:
+            left.append(one)
     return Assumptions(tuple(varied), tuple(left))
 
 
@@ -147,15 +152,25 @@ def _share_labels(plan: CampaignPlan) -> dict[str, str]:
     return found
 
 
-def _speeds(plan: CampaignPlan) -> Iterator[NotVaried]:
-    """Shares of speeds, which the file has as lists."""
+def _of_runs(plan: CampaignPlan) -> Iterator[NotVaried]:
+    """What the runs were made with, and the file names or lists: friction, speeds, steel."""
+    of_file = "assumed: of the campaign's file"
+    for i, season in enumerate(plan.collective.plan.seasons):
+        for zone, value in zip(ZONES, season.friction.coefficients, strict=True):
+            name = f"season[{i}].{zone}"
+            if all(name != number.name for number in plan.collective.plan.numbers):
+                friction = made(name, value=value, unit="-", source=of_file, range=_FRICTION)
+                yield NotVaried(friction, _NEEDS_RUNS)
     for i, running in enumerate(plan.collective.plan.running):
+        for k, (fraction, _) in enumerate(running.speeds):
+            name = f"running[{i}].speed.of_largest_percent[{k}]"
+            yield NotVaried(made(name, value=1e2 * fraction, unit="%", source=of_file), _NEEDS_RUNS)
         for k, (_, share) in enumerate(running.speeds if len(running.speeds) > 1 else ()):
-            name, source = (
-                f"running[{i}].speed.share_percent[{k}]",
-                "assumed: the list in the campaign's file",
-            )
-            yield NotVaried(made(name, value=1e2 * share, unit="%", source=source), _NO_RANGE)
+            name = f"running[{i}].speed.share_percent[{k}]"
+            yield NotVaried(made(name, value=1e2 * share, unit="%", source=of_file), NO_RANGE)
+    for item in parameters("materials", plan.damage.material).values():
+        if item.range is not None:
+            yield NotVaried(replace(item, name=f"materials.{plan.damage.material}.{item.name}"), _NEEDS_RUNS)
 
 
 def _wear(plan: CampaignPlan, films: FilmWear) -> Iterator[Assumption | NotVaried]:

@@ -32,6 +32,7 @@ NO_PROFILE = "no valid profile"
 _TREAD = (-5e-3, 5e-3)  # about the running circle [m]
 _FACE = 2.5e-3  # on either side of where Sd is measured [m]
 _SPACING = 0.2e-3  # m, of the points of a profile: 0.4 um off a radius of 14 mm
+_STEP_DEPTH = 0.25e-3  # m of wear a step of a forecast: lives differ by 2e-5 from those with 0.1 mm
 _NEVER = WheelLimits(1e-3, 10.0, 1e-6, 1.0, 1.0, 1e-6, 1.0, 1e6, 1e6, 1.0)  # that no wheel reaches
 _LENGTHS = {"cracks.largest_length": "largest_crack_length", "cracks.length_over_depth": "length_over_depth"}
 
@@ -165,12 +166,13 @@ class FastLife:
             wheels, own = self._start[group], workshop.limits
             usual = next(iter(wheels.cracks.values())).failure_depth
             depth = 1e-3 * limits.get("cracks.failure_depth", 1e3 * usual)
+            changed = _changed(own, limits, depth / usual)
             try:
                 found = life_from_rates(
-                    _with_cracks(wheels, depth), life, _changed(own, limits, depth / usual), places,
-                    workshop.inspection, LONGEST,
+                    _with_cracks(wheels, depth), life, changed, places,
+                    workshop.inspection, LONGEST, step_depth=_STEP_DEPTH,
                 )  # fmt: skip
-            except ValueError:
+            except ValueError:  # so much wear leaves no valid profile
                 self._lives[key] = np.nan, NO_PROFILE
             else:
                 cause = found.crossings[0].reason.measure if found.crossings else NO_CAUSE
@@ -184,8 +186,9 @@ class FastLife:
             wheels = self._start[group]
             try:
                 end = life_from_rates(
-                    wheels, life, _NEVER, WheelPlaces.of(wheels.step.profile), longest=self.distance
-                ).condition.step.measures
+                    wheels, life.scaled(damage=0.0), _NEVER, WheelPlaces.of(wheels.step.profile),
+                    longest=self.distance, step_depth=_STEP_DEPTH,
+                ).condition.step.measures  # fmt: skip
                 self._ends[key] = end.flange_height, end.flange_thickness, end.flange_steepness
             except ValueError:  # so much wear leaves no valid profile
                 self._ends[key] = (np.nan, np.nan, np.nan)
@@ -193,7 +196,7 @@ class FastLife:
 
 
 def _coarser(wheels: WheelCondition) -> WheelCondition:
-    """Wheels with points at equal distances: points much nearer than bins of wear soon fold over each other."""
+    """Wheels with points at equal distances: much nearer than bins of wear they soon fold over each other."""
     profile = wheels.step.profile
     arc = arc_length(profile.y, profile.z)
     places = np.linspace(0.0, arc[-1], 1 + int(np.ceil(arc[-1] / _SPACING)))
