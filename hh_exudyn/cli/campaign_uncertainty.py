@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from hh_exudyn.campaign.uncertainty.study import Influence, Study
 
 _METHODS = ("morris", "sobol")
+_WHOLE = 0.999
 
 
 def register(campaign: typer.Typer) -> None:
@@ -61,6 +62,11 @@ def uncertainty(
             with _progress() as report:
                 found = study(life, life.assumptions.varied, samples, method, seed, report)
         _print(found, life.assumptions, 1e-3 * life.distance)
+        if life.told < _WHOLE:
+            output.print_line(
+                f"Shares of seasons act on {1e2 * life.told:.0f} % of the distance alone: elsewhere the few "
+                "runs are of one season; more runs an evaluation tell more"
+            )
         if csv is not None and second is not None:
             from hh_exudyn.campaign.uncertainty.tables import bands_table, influences_table
 

@@ -1,25 +1,25 @@
 """Weights of cases when shares of a collective are varied: seasons, runnings, hauls. Nothing is run again.
 
-A share that is varied is taken as it is, and the others of its kind keep their proportions to each other.
-The cases of a season then carry its new share together, those of a stretch of line what they carried before:
-weights are scaled until the sums of all kinds are as wanted (raking: W. E. Deming and F. F. Stephan, Annals
-of Mathematical Statistics 11 (1940) 427-444). Where a collective is too small for that, with one season in a
-class of curves, the seasons win. With the shares of the file the weights are those of the collective.
+A share that is varied is taken as it is, and the others of its kind keep their proportions to each other. The
+odds of the cases change as those of their shares, within cells that keep their part of the line: straight
+track, and groups of curve classes, of each running. Groups with few runs, and so with few of the seasons, are
+joined with their neighbours by radius (as strata are collapsed in surveys: W. G. Cochran, Sampling Techniques
+(1977), 5A.12). A season that was met on straight track alone must not stand for less curves: there its share
+says nothing. With the shares of the file the weights are those of the collective.
 """
 
 import math
-from collections.abc import Hashable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray, IntArray
 from hh_exudyn.campaign.collective.axes import halved_seasons
 from hh_exudyn.campaign.collective.plan import Plan
+from hh_exudyn.campaign.collective.strata import Stratum
 from hh_exudyn.campaign.collective.weighted import WeightedCase
 
-_PASSES = 60
-_CLOSE = 1e-12
+_LEAST_RUNS = 3  # of a cell
 
 
 def shared(nominal: Mapping[str, float], values: Mapping[str, float]) -> dict[str, float]:
@@ -41,25 +41,6 @@ def shared(nominal: Mapping[str, float], values: Mapping[str, float]) -> dict[st
     return {name: share / whole for name, share in found.items()}
 
 
-@dataclass(frozen=True, eq=False)
-class _Margin:
-    """Sums of weights that are wanted: the kind of every case, and the name of the share of every kind."""
-
-    of_case: IntArray
-    sums: FloatArray  # as in the collective
-    names: tuple[str, ...]  # "" for what keeps its part of the whole
-    whole: IntArray  # of every kind: kinds of one whole keep their sum
-    running: IntArray  # of every kind
-
-    def wanted(self, ratios: Mapping[str, float], of_running: FloatArray) -> FloatArray:
-        """The sum of every kind for ratios of shares by name, new over old."""
-        found = self.sums * np.array([ratios.get(name, 1.0) for name in self.names])
-        size = int(self.whole.max()) + 1
-        new, old = (np.bincount(self.whole, values, size) for values in (found, self.sums))
-        scale = np.divide(old, new, out=np.zeros(size), where=new > 0.0)
-        return np.asarray(found * scale[self.whole] * of_running[self.running], dtype=np.float64)
-
-
 class CaseWeights:
     """The weights of the cases of an evaluation for given shares.
 
@@ -75,35 +56,33 @@ class CaseWeights:
         weights = np.array([case.weight for case in cases], dtype=np.float64)
         self.nominal: FloatArray = weights / weights.sum()
         self._sharings = sharings(plan)
-        number = {running.name: i for i, running in enumerate(plan.running)}
-        seasons = _season_numbers(plan)
         strata = [case.stratum for case in cases]
-        of_class = {
-            running.name: {name for haul in running.hauls for name, _ in haul.of_class}
-            for running in plan.running
-        }
-        self._running_names = [f"running[{i}].share_percent" for i in range(len(plan.running))]
-        track, haul, season = [], [], []
-        for s in strata:
-            i = number[s.running]
-            names = [one.name for one in plan.running[i].hauls]
-            fixed = s.curve_class if s.curve_class in of_class[s.running] else ""
-            share = "" if fixed else f"running[{i}].haul[{names.index(s.haul)}].share_percent"
-            track.append((i, (i,), (i, s.curve_class, s.hand), ""))
-            haul.append((i, (i, fixed), (i, fixed, s.haul), share))
-            season.append((i, (i,), (i, seasons[s.season]), f"season[{seasons[s.season]}].share_percent"))
-        self._margins = [
-            self._margin(rows) for rows in (track, haul, season)
-        ]  # the last ones are met exactly
+        number = {running.name: i for i, running in enumerate(plan.running)}
+        runnings = [number[stratum.running] for stratum in strata]
+        seasons = _season_numbers(plan)
+        self._shares = [  # of every case: names of the shares that its weight goes with inside its cell
+            (f"season[{seasons[stratum.season]}].share_percent", _haul_share(plan, i, stratum))
+            for i, stratum in zip(runnings, strata, strict=True)
+        ]
+        self._runnings = [f"running[{i}].share_percent" for i in runnings]
+        self._cell = _cells(strata)
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the shares that these cases can tell: those of which they have some, but not all."""
-        found = [name for margin in self._margins for name in margin.names if name]
-        runnings = {int(i) for i in self._margins[0].running}
-        found += [self._running_names[i] for i in sorted(runnings)]
-        kinds = {name: [one for one in found if _kind(one) == _kind(name)] for name in found}
-        return tuple(dict.fromkeys(name for name in found if len(set(kinds[name])) > 1))
+        pairs = zip(self._shares, self._runnings, strict=True)
+        found = dict.fromkeys(name for shares, running in pairs for name in (*shares, running) if name)
+        kinds = [_kind(name) for name in found]
+        return tuple(name for name in found if kinds.count(_kind(name)) > 1)
+
+    @property
+    def told(self) -> float:
+        """Share of the distance in cells with more than one season: where shares of seasons act [-]."""
+        seasons: dict[int, set[str]] = {}
+        for cell, (season, _) in zip(self._cell.tolist(), self._shares, strict=True):
+            seasons.setdefault(cell, set()).add(season)
+        acting = np.array([len(seasons[cell]) > 1 for cell in self._cell.tolist()])
+        return float(self.nominal[acting].sum())
 
     def at(self, values: Mapping[str, float]) -> FloatArray:
         """(n,) weights, which sum to 1.
@@ -113,36 +92,44 @@ class CaseWeights:
         values
             Of shares in percent by their names in the file, ``season[0].share_percent``; others are ignored.
         """
-        ratios: dict[str, float] = {}
+        ratios = {"": 1.0}
         for nominal in self._sharings:
             own = {name: 1e-2 * values[name] for name in nominal if name in values}
             for name, share in shared(nominal, own).items():
-                ratios[name] = share / nominal[name] if nominal[name] > 0.0 else 1.0
-        of_running = np.array([ratios[name] for name in self._running_names])
-        wanted = [margin.wanted(ratios, of_running) for margin in self._margins]
-        weights = self.nominal
-        for _ in range(_PASSES):
-            before = weights
-            for margin, sums in zip(self._margins, wanted, strict=True):
-                now = np.bincount(margin.of_case, weights, sums.size)
-                scale = np.divide(sums, now, out=np.zeros_like(sums), where=now > 0.0)
-                weights = weights * scale[margin.of_case]
-            if np.abs(weights - before).max() < _CLOSE:
-                break
+                ratios[name] = share / nominal[name] if own and nominal[name] > 0.0 else 1.0
+        within = self.nominal * np.array([ratios[season] * ratios[haul] for season, haul in self._shares])
+        size = int(self._cell.max()) + 1
+        old, new = (np.bincount(self._cell, of_case, size) for of_case in (self.nominal, within))
+        scale = np.divide(old, new, out=np.zeros(size), where=new > 0.0)
+        weights = within * scale[self._cell] * np.array([ratios[name] for name in self._runnings])
         return np.asarray(weights / weights.sum(), dtype=np.float64)
 
-    def _margin(self, rows: Sequence[tuple[int, Hashable, Hashable, str]]) -> _Margin:
-        """A margin from the running, whole, kind and name of share of every case."""
-        kinds = list(dict.fromkeys((running, whole, kind, name) for running, whole, kind, name in rows))
-        wholes = list(dict.fromkeys(whole for _, whole, _, _ in kinds))
-        of_case = np.array([kinds.index(row) for row in rows], dtype=np.int64)
-        return _Margin(
-            of_case,
-            np.bincount(of_case, self.nominal, len(kinds)).astype(np.float64),
-            tuple(name for _, _, _, name in kinds),
-            np.array([wholes.index(whole) for _, whole, _, _ in kinds], dtype=np.int64),
-            np.array([running for running, _, _, _ in kinds], dtype=np.int64),
-        )
+
+def _cells(strata: Sequence[Stratum]) -> IntArray:
+    """(n,) cell of every case: straight track of a running, and its groups of curves with some runs each."""
+    found = np.zeros(len(strata), dtype=np.int64)
+    cell = -1
+    for part in dict.fromkeys((stratum.running, stratum.straight) for stratum in strata):
+        own = [i for i, stratum in enumerate(strata) if (stratum.running, stratum.straight) == part]
+        groups: dict[str, list[int]] = {}
+        for i in sorted(own, key=lambda i: strata[i].radius_m):
+            groups.setdefault(strata[i].group, []).append(i)
+        runs = {group: len({strata[i].key for i in members}) for group, members in groups.items()}
+        cell, within, left = cell + 1, 0, sum(runs.values())
+        for group, members in groups.items():
+            if within >= _LEAST_RUNS and left >= _LEAST_RUNS:
+                cell, within = cell + 1, 0
+            found[members] = cell
+            within, left = within + runs[group], left - runs[group]
+    return found
+
+
+def _haul_share(plan: Plan, running: int, stratum: Stratum) -> str:
+    """Name of the share of a case's haul; "" in classes of curves that have shares of their own."""
+    hauls = plan.running[running].hauls
+    if any(stratum.curve_class == name for haul in hauls for name, _ in haul.of_class):
+        return ""
+    return f"running[{running}].haul[{[haul.name for haul in hauls].index(stratum.haul)}].share_percent"
 
 
 def sharings(plan: Plan) -> tuple[dict[str, float], ...]:

@@ -107,6 +107,11 @@ class FastLife:
         self._lives: dict[tuple[object, ...], tuple[float, str]] = {}
         self._ends: dict[tuple[object, ...], tuple[float, float, float]] = {}
 
+    @property
+    def told(self) -> float:
+        """Share of the distance on which shares of seasons act [-]."""
+        return self._weights.told
+
     def weights(self, values: Mapping[str, float]) -> FloatArray:
         """(cases,) weights of the stored cases for values by name; they sum to 1."""
         return self._weights.at(values)
