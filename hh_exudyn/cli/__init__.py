@@ -22,6 +22,7 @@
 `twist_test`     twist test of a vehicle
 `variation`      variants of a campaign, and their comparison
 `track`          alignment, irregularities, lines
+`campaign`       campaigns; in `campaign_uncertainty` bands of life and wear
 `vehicle`        vehicles and their numbers
 `linear`         modes and critical speeds
 `parameters`     every number of the data files

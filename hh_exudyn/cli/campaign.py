@@ -1,4 +1,4 @@
-"""The commands about campaigns: ``campaign new``, ``run``, ``vary``, ``error``, ``status``.
+"""The commands about campaigns: ``new``, ``run``, ``vary``, ``error``, ``status``; others have files of their own.
 
 They compute nothing themselves.
 
@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from hh_exudyn.cli import campaign_show, inputs, output
+from hh_exudyn.cli import campaign_show, campaign_uncertainty, inputs, output
 from hh_exudyn.cli.inputs import BadInput
 
 if TYPE_CHECKING:
@@ -32,6 +32,7 @@ _UNITS = {"s": 1.0, "min": 60.0, "h": 3600.0}
 def register(app: typer.Typer) -> None:
     """Add the commands of this file to the program."""
     campaign_show.register(campaign)
+    campaign_uncertainty.register(campaign)
     app.add_typer(campaign, name="campaign")
 
 
