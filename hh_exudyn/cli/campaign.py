@@ -1,4 +1,4 @@
-"""The commands about campaigns: ``new``, ``run``, ``vary``, ``error``, ``status``; others have files of their own.
+"""The commands ``campaign new``, ``run``, ``vary``, ``error`` and ``status``; others have their own files.
 
 They compute nothing themselves.
 

@@ -100,7 +100,7 @@ def _recorded(directory: Path) -> "Recorded":
 
 def _tables(recorded: "Recorded") -> "dict[str, pyarrow.Table]":
     """All tables that there are, by name."""
-    from hh_exudyn.campaign.results import errors, lives, shares, tables
+    from hh_exudyn.campaign.results import errors, lives, rails, shares, tables
     from hh_exudyn.campaign.results import inputs as campaign_inputs
 
     found = {
@@ -110,6 +110,7 @@ def _tables(recorded: "Recorded") -> "dict[str, pyarrow.Table]":
         "cracks": tables.cracks_table(recorded),
         "profile": tables.profile_table(recorded),
         "shares": shares.shares_table(recorded),
+        "rails": rails.rails_table(recorded),
         "turnings": lives.turnings_table(recorded),
         "forecast": lives.forecast_table(recorded),
         "errors": errors.errors_table(recorded),
@@ -154,6 +155,8 @@ def _print(recorded: "Recorded", found: "dict[str, pyarrow.Table]") -> None:
         own = [row for row in found["shares"].to_pylist() if row["label"] == label]
         kept = [{name: value for name, value in row.items() if name != "label"} for row in own]
         _print_table(f"Shares by {word}, at the worst bin of each place", type(cracks).from_pylist(kept))
+    if "rails" in found:
+        _print_table("Rails by curve class, per million gross tonnes", found["rails"])
     if "turnings" in found:
         names = ["group", "life", "due_km", "distance_km", "cause", "measure", "cut_mm", "diameter_mm"]
         _print_table("Turnings", found["turnings"].select(names))

@@ -14,7 +14,6 @@
 `reuse`            cases that need not run again, as no wheel has moved where it touches
 `evaluation`       rates for the profiles of all groups, with a record of the results taken
 `wheels`           wheels over a step: cracks, turning at a limit
-`rails`            wear and fatigue of the rails by curve class, per gross tonne
 `errors`           errors of sampling and of the steps of axes, at one state of the wheels
 `steps`            the wheels after every step on disk
 `stored_rows`      rates of the cases of the last evaluation, as they lie on disk

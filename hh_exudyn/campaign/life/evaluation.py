@@ -9,7 +9,7 @@ results, and a campaign that was killed goes on as if it had not been.
 
 import hashlib
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -19,6 +19,7 @@ from hh_exudyn.campaign.collective.weighted import WeightedCase
 from hh_exudyn.campaign.engine.case_damage import CaseWork, Part, case_task, evaluate_case
 from hh_exudyn.campaign.engine.mapping import Standing, TooManyFailed, evaluate_all
 from hh_exudyn.campaign.engine.results import ResultFolder
+from hh_exudyn.campaign.engine.sums import PartSums
 from hh_exudyn.campaign.engine.task import Evaluate, Task
 from hh_exudyn.campaign.engine.workers import Workers
 from hh_exudyn.campaign.life.groups import Place
@@ -295,10 +296,27 @@ class Evaluation:
         write_text(self._records / f"{digest}.json", json.dumps(content, indent=1, sort_keys=True) + "\n")
 
 
-def recorded_rates(
+@dataclass(frozen=True)
+class Recorded:
+    """A weighted case of an evaluation that was made, with its sums and the groups of its wheels."""
+
+    weighted: WeightedCase
+    vehicle: Vehicle
+    groups: Mapping[Place, str]
+    sums: PartSums
+
+    @property
+    def rates(self) -> dict[str, GroupRates]:
+        """By group of wheels."""
+        return rates_of_case(self.sums, self.weighted, self.vehicle, self.groups)
+
+
+def recorded_results(
     plan: CampaignPlan, directory: Path, folder: ResultFolder, digest: str
-) -> GroupRatesByCase:
-    """Rates of every weighted case of an evaluation that was made; nothing is run, nothing is written.
+) -> Iterator[Recorded]:
+    """Results of every weighted case of an evaluation that was made; nothing is run, nothing is written.
+
+    Cases that share a run follow each other, so that each file is read once and none is kept.
 
     Parameters
     ----------
@@ -321,16 +339,14 @@ def recorded_rates(
     slots = [_slot(plan, weighted) for weighted in plan.of_steps.cases()]
     if any(slot.name not in found for slot in slots):
         raise ValueError(f"{directory}: holds no evaluation {digest!r} of the cases of its file")
-    rates: dict[str, Mapping[str, GroupRates]] = {}
-    rows = []
+    by_key: dict[str, list[_Slot]] = {}
     for slot in slots:
-        key = found[slot.name].key
-        if folder.failure(key) is not None:
-            continue
-        if slot.name not in rates:
-            rates[slot.name] = rates_of_case(folder.sums(key), slot.weighted, slot.vehicle, slot.groups)
-        rows.append((slot.weighted, rates[slot.name]))
-    return tuple(rows)
+        by_key.setdefault(found[slot.name].key, []).append(slot)
+    for key, of_key in by_key.items():
+        if folder.failure(key) is None:
+            sums = folder.sums(key)
+            for slot in of_key:
+                yield Recorded(slot.weighted, slot.vehicle, slot.groups, sums)
 
 
 def _content_of(path: Path) -> dict[str, Any] | None:

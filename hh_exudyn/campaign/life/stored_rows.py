@@ -4,15 +4,16 @@ The folder of results is not opened: another process may go on with the campaign
 older code are read as they are.
 """
 
+from collections.abc import Iterator
 from pathlib import Path
 
 from hh_exudyn.campaign.engine.results import ResultFolder
 from hh_exudyn.campaign.life.campaign import RESULTS, Campaign
-from hh_exudyn.campaign.life.evaluation import GroupRatesByCase, recorded_rates
+from hh_exudyn.campaign.life.evaluation import GroupRatesByCase, Recorded, recorded_results
 
 
-def rows_of_last_evaluation(campaign: Campaign) -> GroupRatesByCase:
-    """Weighted cases with their rates by group of wheels; failed cases are left out.
+def results_of_last_evaluation(campaign: Campaign) -> Iterator[Recorded]:
+    """Weighted cases with their sums; failed cases are left out.
 
     Parameters
     ----------
@@ -30,4 +31,12 @@ def rows_of_last_evaluation(campaign: Campaign) -> GroupRatesByCase:
     if not made:
         raise ValueError(f"{campaign.directory}: no step has been made yet; run the campaign first")
     folder = ResultFolder(Path(campaign.directory) / RESULTS, "", {})  # read, never entered
-    return recorded_rates(campaign.plan, campaign.directory, folder, made[-1])
+    return recorded_results(campaign.plan, campaign.directory, folder, made[-1])
+
+
+def rows_of_last_evaluation(campaign: Campaign) -> GroupRatesByCase:
+    """Weighted cases with their rates by group of wheels; failed cases are left out.
+
+    Parameters and errors are those of `results_of_last_evaluation`.
+    """
+    return tuple((one.weighted, one.rates) for one in results_of_last_evaluation(campaign))

@@ -8,6 +8,7 @@
 `recorded`     `Recorded`: the steps, and the rates of the cases of the last evaluation
 `tables`       measures, running-in, wear by place, cracks by place and band, steps, failed cases
 `shares`       shares of curve classes, loads, seasons in the damage
+`rails`        wear and fatigue of the rails by curve class, high and low, per gross tonne
 `lives`        turnings, and a forecast of the next one
 `errors`       errors of the rates, where they were evaluated
 `inputs`       numbers with sources and ranges, limits, settings

@@ -9,6 +9,7 @@ from hh_exudyn import __version__
 from hh_exudyn.campaign.results import figures, inputs, lives, shares, tables
 from hh_exudyn.campaign.results.errors import errors_of, errors_table
 from hh_exudyn.campaign.results.html_parts import SORTING, STYLE, figure_html, table_html
+from hh_exudyn.campaign.results.rails import rails_table
 from hh_exudyn.campaign.results.recorded import Recorded
 
 _NOW = (
@@ -35,6 +36,7 @@ def page(recorded: Recorded) -> str:
         ("Over the distance", _over_distance(recorded)),
         ("Over the profile", _over_profile(recorded)),
         ("What the damage comes from", _shares(recorded)),
+        ("Rails", _rails(recorded)),
         ("Errors", _errors(recorded)),
         ("Inputs", _inputs(recorded)),
         ("Left out, and failed", _left_out(recorded)),
@@ -110,6 +112,17 @@ def _shares(recorded: Recorded) -> str:
         caption = f"{group}: shares of the distance, of the wear and of the crack damage."
         parts.append(figure_html(figures.shares_figure(table, group), caption))
     return "".join(parts) + _titled("All shares", table)
+
+
+def _rails(recorded: Recorded) -> str:
+    table = rails_table(recorded)
+    if table is None:
+        return _note("The cases were evaluated without rails.")
+    text = (
+        "By the passings of the last evaluation, million gross tonnes (MGT) of this campaign's vehicles "
+        "alone; new rails, which do not change their profile. Depth is normal to the surface."
+    )
+    return _note(text) + table_html(table)
 
 
 def _errors(recorded: Recorded) -> str:

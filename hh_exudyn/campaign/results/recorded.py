@@ -13,11 +13,11 @@ from damage.life.places import WheelPlaces
 from damage.life.rates import LifeRates
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.campaign.collective.weighted import WeightedCase
-from hh_exudyn.campaign.engine.results import ResultFolder
-from hh_exudyn.campaign.life.campaign import RESULTS, Campaign
-from hh_exudyn.campaign.life.evaluation import GroupRatesByCase, recorded_rates
+from hh_exudyn.campaign.life.campaign import Campaign
+from hh_exudyn.campaign.life.evaluation import GroupRatesByCase
 from hh_exudyn.campaign.life.rates import GroupRates
 from hh_exudyn.campaign.life.steps import StepEnd
+from hh_exudyn.campaign.life.stored_rows import rows_of_last_evaluation
 from hh_exudyn.campaign.life.wheels import turned
 
 WEAR = "wear"
@@ -116,9 +116,7 @@ class Recorded:
 
         Raises ValueError, FileNotFoundError or BrokenFile where its record or a result is gone.
         """
-        directory = self.campaign.directory
-        folder = ResultFolder(directory / RESULTS, "", {})  # never opened: it is only read
-        return recorded_rates(self.campaign.plan, directory, folder, self.ends[-1].evaluation)
+        return rows_of_last_evaluation(self.campaign)
 
     def kinds(self) -> tuple[str, ...]:
         """Kinds of damage: `WEAR`, and the fatigue indices."""

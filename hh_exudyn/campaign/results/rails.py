@@ -14,6 +14,8 @@ import pyarrow
 from damage.rails.rail_surface import RailSurface
 from hh_exudyn.campaign.collective.weighted import WeightedCase
 from hh_exudyn.campaign.engine.sums import PartSums
+from hh_exudyn.campaign.life.stored_rows import results_of_last_evaluation
+from hh_exudyn.campaign.results.recorded import Recorded
 from hh_exudyn.conventions import LEFT, RIGHT
 
 BODY = "body"  # part of a case: the full curve, or straight track
@@ -40,6 +42,19 @@ def rails_by_class(results: Iterable[tuple[WeightedCase, PartSums]]) -> dict[Rai
             one = weighted.weight * (rail if rail.side == LEFT else rail.mirrored())
             found[key] = found[key] + one if key in found else one
     return found
+
+
+def rails_table(recorded: Recorded) -> pyarrow.Table | None:
+    """`rail_table` of the last evaluation of a campaign; None where its cases were evaluated without rails.
+
+    Parameters
+    ----------
+    recorded
+        The steps of a campaign.
+    """
+    results = results_of_last_evaluation(recorded.campaign)
+    rails = rails_by_class((one.weighted, one.sums) for one in results)
+    return rail_table(rails) if rails else None
 
 
 def rail_table(rails: dict[RailKey, RailSurface]) -> pyarrow.Table:

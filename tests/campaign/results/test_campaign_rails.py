@@ -10,7 +10,7 @@ from damage.surface.lateral_grid import LateralGrid, PatchGrid
 from damage.surface.wheel_surface import Wheel
 from hh_exudyn.campaign.collective import Collective, WeightedCase, plan_of_text, template_text
 from hh_exudyn.campaign.engine.sums import DamageSums
-from hh_exudyn.campaign.life.rails import rail_table, rails_by_class
+from hh_exudyn.campaign.results.rails import rail_table, rails_by_class
 from hh_exudyn.conventions import LEFT, RIGHT
 
 COLLECTIVE = Collective(plan_of_text(template_text()))
