@@ -110,6 +110,7 @@ def _tables(recorded: "Recorded") -> "dict[str, pyarrow.Table]":
         "cracks": tables.cracks_table(recorded),
         "profile": tables.profile_table(recorded),
         "shares": shares.shares_table(recorded),
+        "rails": tables.rails_table(recorded),
         "turnings": lives.turnings_table(recorded),
         "forecast": lives.forecast_table(recorded),
         "errors": errors.errors_table(recorded),

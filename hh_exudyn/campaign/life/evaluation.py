@@ -9,8 +9,9 @@ results, and a campaign that was killed goes on as if it had not been.
 
 import hashlib
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ from hh_exudyn.campaign.collective.weighted import WeightedCase
 from hh_exudyn.campaign.engine.case_damage import CaseWork, Part, case_task, evaluate_case
 from hh_exudyn.campaign.engine.mapping import Standing, TooManyFailed, evaluate_all
 from hh_exudyn.campaign.engine.results import ResultFolder
+from hh_exudyn.campaign.engine.sums import PartSums
 from hh_exudyn.campaign.engine.task import Evaluate, Task
 from hh_exudyn.campaign.engine.workers import Workers
 from hh_exudyn.campaign.life.groups import Place
@@ -316,21 +318,42 @@ def recorded_rates(
     FileNotFoundError, BrokenFile
         A result is gone, or is not what was written.
     """
+    rates: dict[str, Mapping[str, GroupRates]] = {}
+    rows = []
+    for slot, key in _recorded(plan, directory, folder, digest):
+        if slot.name not in rates:
+            rates[slot.name] = rates_of_case(folder.sums(key), slot.weighted, slot.vehicle, slot.groups)
+        rows.append((slot.weighted, rates[slot.name]))
+    return tuple(rows)
+
+
+def recorded_sums(
+    plan: CampaignPlan, directory: Path, folder: ResultFolder, digest: str
+) -> Iterator[tuple[WeightedCase, PartSums]]:
+    """Weighted cases of an evaluation that was made with their sums, of which each is read once.
+
+    Parameters
+    ----------
+    plan, directory, folder, digest
+        As `recorded_rates`, and it raises the same.
+    """
+    sums = cache(folder.sums)  # several weighted cases share a run
+    for slot, key in _recorded(plan, directory, folder, digest):
+        yield slot.weighted, sums(key)
+
+
+def _recorded(
+    plan: CampaignPlan, directory: Path, folder: ResultFolder, digest: str
+) -> Iterator[tuple[_Slot, str]]:
+    """Slots of an evaluation that did not fail, and the keys of their results."""
     content = _content_of(directory / EVALUATIONS / f"{digest}.json")
     found = {} if content is None else _last_runs(content)
     slots = [_slot(plan, weighted) for weighted in plan.of_steps.cases()]
     if any(slot.name not in found for slot in slots):
         raise ValueError(f"{directory}: holds no evaluation {digest!r} of the cases of its file")
-    rates: dict[str, Mapping[str, GroupRates]] = {}
-    rows = []
     for slot in slots:
-        key = found[slot.name].key
-        if folder.failure(key) is not None:
-            continue
-        if slot.name not in rates:
-            rates[slot.name] = rates_of_case(folder.sums(key), slot.weighted, slot.vehicle, slot.groups)
-        rows.append((slot.weighted, rates[slot.name]))
-    return tuple(rows)
+        if folder.failure(found[slot.name].key) is None:
+            yield slot, found[slot.name].key
 
 
 def _content_of(path: Path) -> dict[str, Any] | None:

@@ -6,7 +6,7 @@
 
 =============  ======================================================================================
 `recorded`     `Recorded`: the steps, and the rates of the cases of the last evaluation
-`tables`       measures, running-in, wear by place, cracks by place and band, steps, failed cases
+`tables`       measures, running-in, wear by place, cracks by place and band, rails, steps, failed cases
 `shares`       shares of curve classes, loads, seasons in the damage
 `lives`        turnings, and a forecast of the next one
 `errors`       errors of the rates, where they were evaluated

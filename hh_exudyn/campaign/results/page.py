@@ -35,6 +35,7 @@ def page(recorded: Recorded) -> str:
         ("Over the distance", _over_distance(recorded)),
         ("Over the profile", _over_profile(recorded)),
         ("What the damage comes from", _shares(recorded)),
+        ("Rails", _rails(recorded)),
         ("Errors", _errors(recorded)),
         ("Inputs", _inputs(recorded)),
         ("Left out, and failed", _left_out(recorded)),
@@ -110,6 +111,14 @@ def _shares(recorded: Recorded) -> str:
         caption = f"{group}: shares of the distance, of the wear and of the crack damage."
         parts.append(figure_html(figures.shares_figure(table, group), caption))
     return "".join(parts) + _titled("All shares", table)
+
+
+def _rails(recorded: Recorded) -> str:
+    table = tables.rails_table(recorded)
+    if table is None:
+        return _note("Not summed.")
+    note = "By class, per million gross tonnes (MGT), with the wheels of the last evaluation."
+    return _note(note) + table_html(table)
 
 
 def _errors(recorded: Recorded) -> str:

@@ -1,8 +1,9 @@
 """What a campaign has recorded, read once: wheels after every step, rates of the last evaluation."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 
 import numpy as np
 
@@ -14,8 +15,10 @@ from damage.life.rates import LifeRates
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.campaign.collective.weighted import WeightedCase
 from hh_exudyn.campaign.engine.results import ResultFolder
+from hh_exudyn.campaign.engine.sums import PartSums
 from hh_exudyn.campaign.life.campaign import RESULTS, Campaign
-from hh_exudyn.campaign.life.evaluation import GroupRatesByCase, recorded_rates
+from hh_exudyn.campaign.life.evaluation import GroupRatesByCase, recorded_rates, recorded_sums
+from hh_exudyn.campaign.life.plan import CampaignPlan
 from hh_exudyn.campaign.life.rates import GroupRates
 from hh_exudyn.campaign.life.steps import StepEnd
 from hh_exudyn.campaign.life.wheels import turned
@@ -116,9 +119,17 @@ class Recorded:
 
         Raises ValueError, FileNotFoundError or BrokenFile where its record or a result is gone.
         """
+        return recorded_rates(*self._last_evaluation())
+
+    def sums(self) -> Iterator[tuple[WeightedCase, PartSums]]:
+        """Weighted cases of the last evaluation with their sums; raises as `rows`."""
+        return recorded_sums(*self._last_evaluation())
+
+    def _last_evaluation(self) -> tuple[CampaignPlan, Path, ResultFolder, str]:
+        """Where it is; the folder of results is never opened, as it is only read."""
         directory = self.campaign.directory
-        folder = ResultFolder(directory / RESULTS, "", {})  # never opened: it is only read
-        return recorded_rates(self.campaign.plan, directory, folder, self.ends[-1].evaluation)
+        folder = ResultFolder(directory / RESULTS, "", {})
+        return self.campaign.plan, directory, folder, self.ends[-1].evaluation
 
     def kinds(self) -> tuple[str, ...]:
         """Kinds of damage: `WEAR`, and the fatigue indices."""

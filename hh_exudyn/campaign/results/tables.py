@@ -8,6 +8,7 @@ from damage.evolution.running_in import RunningIn, running_in
 from damage.figures.evolution import worn_depth
 from damage.life.places import BANDS, PLACES
 from damage.material import wheel_material
+from hh_exudyn.campaign.life.rails import rail_table, rails_by_class
 from hh_exudyn.campaign.results.recorded import Recorded
 
 _CHANGES = {"Sh_mm": "Sh_change_mm", "Sd_mm": "Sd_change_mm", "qR_mm": "qR_change_mm"}
@@ -140,6 +141,15 @@ def profile_table(recorded: Recorded) -> pyarrow.Table:
             columns[f"crack_depth_{index}_mm"] = 1e3 * layer.depth
         found.append(pyarrow.table(columns))
     return pyarrow.concat_tables(found)
+
+
+def rails_table(recorded: Recorded) -> pyarrow.Table | None:
+    """Wear and fatigue of the rails by class (`hh_exudyn.campaign.life.rails`), by the last evaluation.
+
+    None where the campaign has not summed them.
+    """
+    rails = rails_by_class(recorded.sums())
+    return rail_table(rails) if rails else None
 
 
 def steps_table(recorded: Recorded) -> pyarrow.Table:

@@ -11,6 +11,9 @@ from command_line import call, refused
 from made_up_campaign import campaign_file, run
 from made_up_wear import CRACK_RATE, TREAD_RATE, made_up_sums
 
+from damage.rails.rail_surface import RailSurface
+from damage.surface.lateral_grid import LateralGrid, PatchGrid
+from damage.surface.wheel_surface import Wheel
 from hh_exudyn.campaign.engine.case_damage import CaseWork
 from hh_exudyn.campaign.engine.sums import PartSums
 from hh_exudyn.campaign.life.campaign import Campaign
@@ -21,13 +24,25 @@ from hh_exudyn.campaign.results.errors import errors_table
 from hh_exudyn.campaign.results.html_parts import figure_html, heading, number_text, table_html
 from hh_exudyn.campaign.results.page import page
 from hh_exudyn.campaign.results.recorded import Recorded
+from hh_exudyn.conventions import LEFT, RIGHT
 
 FASTER = 60.0  # cracks than those of the made-up wear: due after some 2,000 km
 
 
+RAIL_DEPTH, PASSING = 2e-9, 1e5  # m by one passing of a mass [kg]
+
+
+def worn_rail(side: int) -> RailSurface:
+    """A rail worn in one bin by one passing."""
+    rail = RailSurface.zero(side, (Wheel(1, 1, 1, side),), LateralGrid(), PatchGrid())
+    rail.by_wheel.depth_by_part[0, 0, 80] = RAIL_DEPTH
+    return replace(rail, mass=PASSING)
+
+
 def cracking(work: CaseWork) -> PartSums:
-    """The made-up wear with faster cracks."""
-    found = made_up_sums(work)
+    """The made-up wear with faster cracks, and with rails."""
+    rails = (worn_rail(LEFT), worn_rail(RIGHT))
+    found = {name: replace(sums, rails=rails) for name, sums in made_up_sums(work).items()}
     for sums in found.values():
         for surface in sums.surfaces:
             surface.crack_damage[...] *= FASTER
@@ -162,6 +177,14 @@ def test_every_assumed_number_has_a_source(recorded: Recorded) -> None:
     assert all(row["source"] and row["kind"] == "assumed" for row in rows)
     limits = {row["number"]: row["value"] for row in inputs.limits_table(recorded.campaign).to_pylist()}
     assert limits["least_diameter"] == 857.0
+
+
+def test_rails_wear_by_class_and_mass(recorded: Recorded) -> None:
+    """Every passing wears alike: all rails have that wear over its mass, straight or curved."""
+    rows = tables.rails_table(recorded).to_pylist()
+    assert {row["rail"] for row in rows} == {"straight", "high", "low"}
+    for row in rows:
+        assert row["wear_mm_per_MGT"] == pytest.approx(1e3 * 1e9 * RAIL_DEPTH / PASSING)
 
 
 def test_errors_are_those_of_the_file(recorded: Recorded) -> None:
