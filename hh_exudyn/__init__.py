@@ -19,6 +19,7 @@ from the logs alone; playback and figures show both. Read in this order:
 `hh_exudyn.figures`            figures of patches, conicity, tracks, vehicles, forces, assessment, curving
 `hh_exudyn.cli`                the command ``hh-exudyn``
 `hh_exudyn.kernel`             compilation of kernels; the only importer of numba
+`hh_exudyn.lanes`              eight adjacent numbers at once in a kernel
 `hh_exudyn.arrays`             names of array types
 `hh_exudyn.sourced`            numbers with unit, source and kind, from data files
 `hh_exudyn.text_files`         files of users: read whole, or refused in a line

@@ -26,20 +26,21 @@ from typing import Any, NamedTuple, TypeVar, cast
 
 import numba
 import numpy as np
-from numba import types
+from numba import types as types
 from numba.core import cgutils
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 from numba.experimental import (
     function_type,  # noqa: F401 (registers the types that `kernel_value` needs)
     structref,
 )
-from numba.extending import intrinsic
+from numba.extending import intrinsic as intrinsic
 from numba.np.arrayobj import populate_array
 from numpy.typing import NDArray
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-PLAIN_PYTHON_FACTOR = 200.0 if numba.config.DISABLE_JIT else 1.0  # time of kernels over compiled ones, about
+PLAIN_PYTHON = bool(numba.config.DISABLE_JIT)  # whether kernels run as plain Python
+PLAIN_PYTHON_FACTOR = 200.0 if PLAIN_PYTHON else 1.0  # time of kernels over compiled ones, about
 
 _ROOT = Path(__file__).resolve().parent.parent
 _PACKAGES = ("hh_exudyn", "vehicles", "track", "damage")
@@ -216,7 +217,7 @@ numba.config.SLP_VECTORIZE = 1
 # A product and the sum behind it are rounded once instead of twice (fused multiply-add): an evaluation of a
 # vehicle at rest takes 7 to 12 % less, a whole run hardly. No sum changes its order, and no other freedom is
 # given to the compiler.
-_CONTRACTION = {"contract"}
+CONTRACTION = {"contract"}
 
 
 def _compiled(function: F, **options: bool) -> F:
@@ -224,7 +225,7 @@ def _compiled(function: F, **options: bool) -> F:
     folder = _cache_folder(_part_of(function.__module__))
     if folder is not None:
         numba.config.CACHE_DIR = str(folder)  # numba reads it here, where the function is decorated
-    result: Any = numba.njit(error_model="numpy", nogil=True, fastmath=_CONTRACTION, **options)(function)
+    result: Any = numba.njit(error_model="numpy", nogil=True, fastmath=CONTRACTION, **options)(function)
     if folder is not None and not numba.config.DISABLE_JIT:
         try:
             result._cache = _KernelCache(function)  # as `enable_caching` of numba sets its own

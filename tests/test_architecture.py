@@ -25,7 +25,7 @@ LINES = 400
 
 BASE = (  # everything may import these
     "hh_exudyn", "hh_exudyn.arrays", "hh_exudyn.conventions", "hh_exudyn.entry_points", "hh_exudyn.glossary",
-    "hh_exudyn.kernel", "hh_exudyn.number_lines", "hh_exudyn.signals", "hh_exudyn.sourced",
+    "hh_exudyn.kernel", "hh_exudyn.lanes", "hh_exudyn.number_lines", "hh_exudyn.signals", "hh_exudyn.sourced",
     "hh_exudyn.text_files", "hh_exudyn.workers",
 )  # fmt: skip
 MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is named by its prefix
@@ -52,6 +52,7 @@ MAY_IMPORT = {  # part: parts it may import beside itself and BASE; a part is na
     "hh_exudyn.entry_points": (),
     "hh_exudyn.glossary": (),
     "hh_exudyn.kernel": (),
+    "hh_exudyn.lanes": (),
     "hh_exudyn.signals": (),
     "hh_exudyn.sourced": (),
     "hh_exudyn.text_files": (),

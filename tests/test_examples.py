@@ -1,13 +1,18 @@
 """Every example runs as its docstring says, and what it prints is what it promises."""
 
+import importlib.util
+import os
 import re
 import subprocess
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from hh_exudyn.contact.profile import wheel_profile
+from hh_exudyn.campaign.objective import Objective
+from hh_exudyn.contact.profile import Profile, wheel_profile
 from hh_exudyn.contact.profiles.writer import write_profile
 from vehicles.variants import find_variant
 
@@ -219,6 +224,39 @@ def test_when_to_turn(tmp_path: Path) -> None:
     assert quantiles[0] < int(reached[0][1]) < quantiles[-1]
     assert (tmp_path / "life.parquet").exists()
     assert (tmp_path / "lives.png").stat().st_size > 10_000
+
+
+def test_wheel_profile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without Optuna the example says so; with it a minimum that is known is found beside the base's."""
+    without = tmp_path / "without"
+    without.mkdir()
+    (without / "optuna.py").write_text("raise ImportError")
+    with monkeypatch.context() as patch:
+        patch.setenv(
+            "PYTHONPATH", os.pathsep.join([str(without), *filter(None, [os.environ.get("PYTHONPATH")])])
+        )
+        said = run("16_wheel_profile.py", tmp_path / "campaign.toml", tmp_path, "2")
+    assert said == "this example needs Optuna, which is not installed: pip install 'hh-exudyn[studies]'\n"
+    pytest.importorskip("optuna", reason="the extra studies is not installed")
+    spec = importlib.util.spec_from_file_location("wheel_profile", EXAMPLES / "16_wheel_profile.py")
+    assert spec is not None
+    assert spec.loader is not None
+    example = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(example)
+    base = example.changed(0.0, 0.0)
+    assert np.abs(base.z - wheel_profile("WP4_like").z).max() < 1e-12
+
+    def of(parameters: Mapping[str, Profile]) -> Objective:
+        """Least wear with 0.2 mm more in the root, least fatigue with a flatter tread."""
+        lift = parameters["case.wheel_profile"].z - base.z
+        root, cone = np.interp([30e-3, -50e-3], base.y, lift) * [-1e3, 1.0 / 50e-3]
+        return Objective((root - 0.2) ** 2, (cone + 0.005) ** 2, 0.0, 0.0)
+
+    study = example.search(of, 30)
+    first, wear = study.trials[0], min(study.best_trials, key=lambda trial: trial.values[0])
+    assert first.params == {"cone": 0.0, "root_mm": 0.0}
+    assert wear.values[0] < 0.1 * first.values[0]
+    assert abs(wear.params["root_mm"] - 0.2) < 0.1
 
 
 def test_every_example_is_run_here() -> None:

@@ -21,6 +21,7 @@
 `catalogue`          the vehicles by name, those of other packages among them
 `whole`              a whole vehicle as a file, written by hand or exported
 `variants`           a vehicle with some numbers changed by a small file
+`axle_load`          a loaded wagon at another axle load, as such a variant
 `statics`            axle loads of a vehicle at rest
 `start`              place of a vehicle on its track at the beginning of a run
 `stored`             a vehicle as JSON, the copy in every run's folder

@@ -5,7 +5,7 @@
 `run`            run, demo, playback
 `changes`        other inputs for a case: --vehicle, --set, --vary
 `matrix`         many runs at once
-`campaign`       campaigns: new, run, error, status
+`campaign`       campaigns: new, run, vary, error, status
 `campaign_show`  what campaigns have found: show, compare
 `compare`        runs beside each other
 `elements`       tables of a run by element of its track
@@ -20,7 +20,9 @@
 `assess`         assessment of runs after UIC 518 / EN 14363
 `assess_tables`  its tables
 `twist_test`     twist test of a vehicle
+`variation`      variants of a campaign, and their comparison
 `track`          alignment, irregularities, lines
+`campaign`       campaigns; in `campaign_uncertainty` bands of life and wear
 `vehicle`        vehicles and their numbers
 `linear`         modes and critical speeds
 `parameters`     every number of the data files

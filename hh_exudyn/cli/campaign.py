@@ -1,4 +1,4 @@
-"""The commands about campaigns: ``campaign new``, ``run``, ``error``, ``status``.
+"""The commands about campaigns: ``new``, ``run``, ``vary``, ``error``, ``status``; others have files of their own.
 
 They compute nothing themselves.
 
@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from hh_exudyn.cli import campaign_show, inputs, output
+from hh_exudyn.cli import campaign_show, campaign_uncertainty, inputs, output
 from hh_exudyn.cli.inputs import BadInput
 
 if TYPE_CHECKING:
@@ -32,6 +32,7 @@ _UNITS = {"s": 1.0, "min": 60.0, "h": 3600.0}
 def register(app: typer.Typer) -> None:
     """Add the commands of this file to the program."""
     campaign_show.register(campaign)
+    campaign_uncertainty.register(campaign)
     app.add_typer(campaign, name="campaign")
 
 
@@ -100,6 +101,49 @@ def run(
         _print_status(begun)
         if not reached:
             output.print_line(f"the time of --budget {budget} is over; the same command goes on")
+
+
+@campaign.command()
+def vary(
+    file: CampaignFile,
+    variations: Annotated[
+        list[str],
+        typer.Option(
+            "--vary",
+            metavar="KEY=VALUE,VALUE,...",
+            help="Run all combinations of the values. KEY: axle_load [t], gauge [mm, mean of the line], "
+            "lubrication [%], material; a key of the file (gauge.deviation_mm, season.dry.share_percent); "
+            "or a number of its vehicles (wedge.friction). Several times.",
+        ),
+    ],
+    out: Annotated[
+        Path, typer.Option("-o", "--out", metavar="DIR", help="Folder of all; the same command goes on.")
+    ],
+    distance_km: Annotated[
+        float | None, typer.Option(metavar="km", help="Distance since the start; else that of the file.")
+    ] = None,
+    workers: Annotated[
+        int | None, typer.Option(metavar="N", help="Processes; else one a core.", min=1, max=1024)
+    ] = None,
+    scheduler: Annotated[
+        str | None, typer.Option(metavar="ADDRESS", help="Dask scheduler, tcp://host:8786, for a cluster.")
+    ] = None,
+    budget: Annotated[
+        str | None, typer.Option(metavar="TIME", help="Time for all, shared alike, as 90s, 30min or 2h.")
+    ] = None,
+) -> None:
+    """Run variants of a campaign, each in its folder with its own file, and compare them."""
+    with output.errors_in_one_line():
+        from hh_exudyn.cli.variation import run_variation, varied_texts
+
+        inputs.check_range("--distance-km", distance_km, 1e-3, 1e7, "km")
+        seconds = _seconds(budget)
+        texts = varied_texts(file, variations)
+        with inputs.refused_as_bad_input():
+            open_workers = _workers(workers, scheduler)
+        goal = None if distance_km is None else 1e3 * distance_km
+        with open_workers as pool, _progress() as report:
+            run_variation(texts, out, pool, goal, seconds, report)
 
 
 @campaign.command()

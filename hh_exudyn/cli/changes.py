@@ -74,13 +74,32 @@ def varied_cases(case: "Case", variations: list[str]) -> "dict[str, Case]":
         As `changed_case`.
     """
     from hh_exudyn.case.matrix import matrix
+
+    return matrix(case, varied_values(variations))
+
+
+def varied_values(variations: list[str], of_case: str = "") -> dict[str, list[Any]]:
+    """The values of every key.
+
+    Parameters
+    ----------
+    variations
+        Of the option.
+    of_case
+        What stands before the keys of a case.
+
+    Raises
+    ------
+    BadInput
+        As `changed_case`.
+    """
     from hh_exudyn.case.overrides import value_of_text
 
     values: dict[str, list[Any]] = {}
     for text in variations:
         key, value = _split("--vary", text, values)
-        values[key] = [value_of_text(key, item) for item in _items(value)]
-    return matrix(case, values)
+        values[key] = [value_of_text(key.removeprefix(of_case), item) for item in _items(value)]
+    return values
 
 
 def _split(option: str, text: str, known: dict[str, Any]) -> tuple[str, str]:

@@ -49,6 +49,8 @@ def source(kind: str) -> str:
 def _roeckl(bent: FloatArray) -> FloatArray:
     """a/(R - b) = a k/(1 - b k), with other numbers in tight curves; radii below 100 m count as 100 m."""
     n = _NUMBERS
+    if not bent.any():
+        return np.zeros_like(bent)
     bent = np.minimum(bent, 1.0 / n["roeckl.tight.from"])
     wide = bent * n["roeckl.main_line.from"] <= 1.0
     numerator = np.where(wide, n["roeckl.main_line.numerator"], n["roeckl.tight.numerator"])

@@ -147,7 +147,7 @@ class SlipControl:
         slipping |= (growth > limits.acceleration) & (slip > 0.3 * threshold)
         self._wait = np.where(slipping, limits.hold, np.maximum(self._wait - interval, 0.0))
         change = np.where(slipping, -limits.reduction, np.where(self._wait > 0.0, 0.0, limits.recovery))
-        self._share = np.clip(self._share + change * interval, 0.0, 1.0)
+        self._share = np.minimum(np.maximum(self._share + change * interval, 0.0), 1.0)
         return self._share
 
 

@@ -5,6 +5,7 @@ The train is one mass on a line: its wagons run at one speed, but each stands on
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -75,10 +76,22 @@ class TrailingTrain:
 
     def places(self, head: float) -> FloatArray:
         """Arc lengths of the vehicles' middles [m] when the front coupler of the train is at `head` [m]."""
+        rears, halves = self._lengths
+        return np.asarray(head - rears + halves)
+
+    @cached_property
+    def _lengths(self) -> tuple[FloatArray, FloatArray]:
+        """Of the train up to every vehicle's rear, and half of every vehicle [m]."""
         lengths = np.repeat(
             [self.locomotive_length, self.wagon_length], [self.locomotives, self.wagons]
         ).astype(float)
-        return np.asarray(head - np.cumsum(lengths) + 0.5 * lengths)
+        return np.cumsum(lengths), 0.5 * lengths
+
+    @cached_property
+    def _weights(self) -> FloatArray:
+        """Of the vehicles [N]."""
+        masses = np.repeat([self.locomotive_mass, self.wagon_mass], [self.locomotives, self.wagons])
+        return np.asarray(masses * GRAVITY)
 
     def resisting_force(self, head: float, speed: float) -> float:
         """Resistance of rolling and of curves, and the downhill force: against forward motion [N].
@@ -88,7 +101,6 @@ class TrailingTrain:
         head : arc length of the train's front coupler [m]
         speed : of the train [m/s]
         """
-        masses = np.repeat([self.locomotive_mass, self.wagon_mass], [self.locomotives, self.wagons])
         places = self.places(head)
         axle_load = self.wagon_mass / 4e3
         bent = self.curvature(places)
@@ -97,6 +109,6 @@ class TrailingTrain:
             curving[: self.locomotives] = curve_resistance("roeckl", bent[: self.locomotives], axle_load)
         rolling = self.locomotives * self.locomotive_mass * locomotive_resistance(speed)
         rolling += self.wagons * self.wagon_mass * wagon_resistance(speed, axle_load)
-        curves = masses * GRAVITY * curving
-        slope = masses * GRAVITY * self.grade(places)
+        curves = self._weights * curving
+        slope = self._weights * self.grade(places)
         return float(rolling * 1e-3 + curves.sum() + slope.sum())

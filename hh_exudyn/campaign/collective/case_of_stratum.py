@@ -62,7 +62,7 @@ def case_of(plan: Plan, stratum: Stratum, setting: Setting) -> Case:
     )
     changes: dict[str, Any] = {
         "name": name,
-        "vehicle": stratum.vehicle,
+        "vehicle": next(one.vehicle_of_case for one in plan.running if one.name == stratum.running),
         "speed_km_h": stratum.speed_km_h,
         "friction": _friction(setting.season),
         "track": {**plan.base.get("track", {}), **track},

@@ -34,7 +34,6 @@ from hh_exudyn.sourced import Parameter
 from track.line.line import read_line
 from track.line.line_file import line_names
 from track.line.line_numbers import line_numbers
-from vehicles.catalogue import vehicle
 
 _SEASONS = 3  # place among the axes: what friction and films do comes before all else within a group
 _SHORTEST = TrackCase.model_fields["irregularity_shortest_m"].default  # m
@@ -337,7 +336,7 @@ class Collective:
         """Runs of each unit in one replicate of the sampled design; ValueError for too few."""
         units = {
             f"{running.name};{group.name}": (
-                running.share * vehicle(running.vehicle).mass,
+                running.share * running.described.mass,
                 1.0 / group.geometries[0][0].radius,
             )
             for running, groups in self._groups
@@ -358,7 +357,8 @@ class Collective:
         """Labels of a cell for one member of the group, and what its case needs."""
         geometry, (kind, place, _) = axes.geometries[levels[0]], axes.kinds[levels[1]]
         season, haul = axes.seasons[levels[3]], axes.hauls[levels[5]]
-        gauge = axes.gauges[levels[2]].value
+        shift = self.plan.gauge.shift
+        gauge = shift + axes.gauges[levels[2]].value
         shortest = self.plan.base.get("track", {}).get("irregularity_shortest_m", _SHORTEST)
         scale = irregularity_scale(self.plan.quality, kind.quality, place.value, shortest)
         level, alignment = spectrum_deviations(self.plan.quality.spectrum, shortest)
@@ -388,6 +388,7 @@ class Collective:
             haul=haul.name,
             gradient_per_mille=round(1e3 * haul.gradient, 6),
             replicate=replicate,
+            gauge_shift_mm=round(1e3 * shift, 6),
         )
         return stratum, Setting(season, haul, scale, group.inclination)
 

@@ -7,6 +7,9 @@ from typing import Any
 from hh_exudyn.contact.friction import FILMS
 from hh_exudyn.sourced import Parameter
 from track.friction import ZONES, Falling, Zones
+from vehicles.catalogue import vehicle
+from vehicles.description import Vehicle
+from vehicles.variants import Variant
 
 SAMPLED = "sampled"
 DESIGNS = ("full", "overlay", SAMPLED)
@@ -80,7 +83,7 @@ class Running:
 
     `line_vehicle` is the name under which the line's file has its largest speed. `returning`: it runs against
     the direction in which the line's file counts left and right. `speeds` are fractions of the largest speed
-    with their shares.
+    with their shares. `variant` is the vehicle where it is not one of the catalogue; `vehicle` is its name.
     """
 
     name: str
@@ -90,6 +93,17 @@ class Running:
     returning: bool
     speeds: tuple[tuple[float, float], ...]
     hauls: tuple[Haul, ...]
+    variant: Variant | None = None
+
+    @property
+    def described(self) -> Vehicle:
+        """The vehicle itself."""
+        return vehicle(self.vehicle) if self.variant is None else self.variant.vehicle()
+
+    @property
+    def vehicle_of_case(self) -> str | dict[str, Any]:
+        """The vehicle as a case has it: a name of the catalogue, or the table of a variant."""
+        return self.vehicle if self.variant is None else self.variant.to_table()
 
 
 @dataclass(frozen=True)
@@ -108,11 +122,15 @@ class TrackLengths:
 
 @dataclass(frozen=True)
 class GaugeSpread:
-    """Gauge about the mean of a radius: normal with `deviation` [m], cut at `truncation` deviations."""
+    """Gauge about the mean of a radius: normal with `deviation` [m], cut at `truncation` deviations.
+
+    `shift` [m] is added to the means of the line's file, on all radii alike.
+    """
 
     deviation: float
     truncation: float
     quantiles: int
+    shift: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -21,12 +21,14 @@ from hh_exudyn.campaign.collective.plan import (
 from hh_exudyn.campaign.collective.seasons import read_season
 from hh_exudyn.campaign.collective.sourced_table import SourcedTable
 from hh_exudyn.case.files import start_at
+from hh_exudyn.case.vehicle import start_in
 from hh_exudyn.text_files import parsed_toml, read_toml
 from track.irregularity.spectra import spectrum_names
 from track.rails import NEW
-from vehicles.catalogue import vehicle
+from vehicles.variants import Variant, find_variant, variant_of_table
 
 _SUM = 1e-6  # of shares in per cent, from 100
+VARIED = "campaign"  # source of the numbers of a vehicle in the file that say none
 _OWN_KEYS = {"name", "vehicle", "speed_km_h", "friction", "traction", "train", "brake", "start_m"}
 _OWN_TRACK = {
     "sections", "alignment", "centre_line", "grades", "inclination", "irregularity", "irregularity_seed",
@@ -98,7 +100,9 @@ def _plan(file: SourcedTable, folder: Path) -> Plan:
         replicates=design.whole("replicates", "-", 1, 1000),
         base=_base(file, folder),
         merged_classes=design.groups("merged_classes"),
-        running=_whole([_running(table) for table in file.sourced_tables("running")], file, "running"),
+        running=_whole(
+            [_running(table, folder) for table in file.sourced_tables("running")], file, "running"
+        ),
         lengths=_lengths(_begun(file, "lengths")),
         gauge=_gauge(_begun(file, "gauge")),
         quality=_quality(_begun(file, "quality")),
@@ -177,14 +181,11 @@ def _halvings(design: SourcedTable) -> dict[str, int]:
     return found
 
 
-def _running(table: SourcedTable) -> Running:
+def _running(table: SourcedTable, folder: Path) -> Running:
     """A vehicle with its load."""
     table.begin()
-    name = table.text("vehicle")
-    try:
-        drives = bool(vehicle(name).drives)
-    except ValueError as error:
-        raise table.error(f"{table.key('vehicle')}: {error}") from None
+    variant = _vehicle(table, folder)
+    drives = bool(variant.vehicle().drives)
     hauls: tuple[Haul, ...] = (Haul("free", 1.0),)
     if "haul" in table:
         read = [_closed(inner, lambda t: _haul(t, drives)) for inner in table.sourced_tables("haul")]
@@ -192,14 +193,33 @@ def _running(table: SourcedTable) -> Running:
     found = Running(
         name=table.text("name"),
         share=table.number("share_percent", "%", 0.0, 100.0),
-        vehicle=name,
+        vehicle=variant.name,
         line_vehicle=table.text("line_vehicle"),
         returning=table.truth("returning"),
         speeds=_speeds(table),
         hauls=hauls,
+        variant=None if variant.base == variant.name and not variant.changes else variant,
     )
     table.close()
     return found
+
+
+def _vehicle(table: SourcedTable, folder: Path) -> Variant:
+    """The vehicle as in a case's file: a name, a vehicle file, or the table of a variant."""
+    given = table.entries.get("vehicle")
+    inside: dict[str, Any]
+    if isinstance(given, dict):
+        inside = {"vehicle": dict(table.table("vehicle").entries)}
+    else:
+        inside = {"vehicle": table.text("vehicle")}
+    start_in(folder.resolve(), inside)
+    found = inside["vehicle"]
+    try:
+        if isinstance(found, dict):
+            return variant_of_table(found, VARIED)
+        return find_variant(found)
+    except ValueError as error:
+        raise table.error(f"{table.key('vehicle')}: {error}") from None
 
 
 def _of_classes(hauls: tuple[Haul, ...], table: SourcedTable) -> tuple[Haul, ...]:
@@ -274,6 +294,7 @@ def _gauge(table: SourcedTable) -> GaugeSpread:
         deviation=1e-3 * table.number("deviation_mm", "mm", 0.0, 15.0),
         truncation=table.number("truncation", "deviations", 0.5, 5.0),
         quantiles=table.whole("quantiles", "-", 1, 64),
+        shift=1e-3 * (table.number_or("shift_mm", "mm", -30.0, 30.0) or 0.0),
     )
     table.close()
     return found

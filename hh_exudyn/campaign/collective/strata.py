@@ -11,6 +11,7 @@ from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
 _MEMBER = ("curve_class", "hand")  # of the line: several share a case
+_SHIFT = "gauge_shift_mm"  # in the gauges already
 _SEEDS = 2**31
 
 
@@ -36,6 +37,8 @@ class Stratum:
         At rest, before treatments [-].
     replicate
         Number of the random sample, from 1.
+    gauge_shift_mm
+        Of the plan, in both gauges: its variants have the same irregularity.
     """
 
     running: str
@@ -63,6 +66,7 @@ class Stratum:
     haul: str
     gradient_per_mille: float
     replicate: int
+    gauge_shift_mm: float = 0.0
 
     @cached_property
     def key(self) -> str:
@@ -70,7 +74,7 @@ class Stratum:
         return ";".join(
             f"{field.name}={_shown(getattr(self, field.name))}"
             for field in fields(self)
-            if field.name not in _MEMBER
+            if field.name not in (*_MEMBER, _SHIFT)
         )
 
     @property
@@ -80,8 +84,11 @@ class Stratum:
 
     @property
     def seed(self) -> int:
-        """Seed of the random irregularity, from the key alone; the same on every machine."""
-        return int.from_bytes(hashlib.sha256(self.key.encode()).digest()[:8], "big") % _SEEDS
+        """Seed of the irregularity, from the key without the shift of gauge; on every machine the same."""
+        shift = self.gauge_shift_mm
+        gauges = round(self.gauge_mm - shift, 6), round(self.straight_gauge_mm - shift, 6)
+        plain = replace(self, gauge_mm=gauges[0], straight_gauge_mm=gauges[1]) if shift else self
+        return int.from_bytes(hashlib.sha256(plain.key.encode()).digest()[:8], "big") % _SEEDS
 
     @property
     def cell(self) -> str:

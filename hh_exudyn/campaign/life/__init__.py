@@ -17,6 +17,7 @@
 `rails`            wear and fatigue of the rails by curve class, per gross tonne
 `errors`           errors of sampling and of the steps of axes, at one state of the wheels
 `steps`            the wheels after every step on disk
+`stored_rows`      rates of the cases of the last evaluation, as they lie on disk
 `campaign`         `Campaign`: the folder, and the loop
 =================  ==================================================================================
 """

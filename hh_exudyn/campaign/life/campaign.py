@@ -33,7 +33,6 @@ from hh_exudyn.campaign.life.steps import StepEnd, StepFiles
 from hh_exudyn.campaign.life.wheels import after_step, new_wheels, turned
 from hh_exudyn.contact.profile import Profile
 from hh_exudyn.log.parts import write_text
-from vehicles.catalogue import vehicle
 
 FILE, IDENTITY, RESULTS = "campaign.toml", "campaign.json", "results"
 _LAST = 1e-9  # of the distance: a remainder below it is rounding
@@ -138,7 +137,7 @@ class Campaign:
     @cached_property
     def groups(self) -> tuple[str, ...]:
         """Names of the groups of wheels."""
-        return self.plan.grouping.names(vehicle(self.plan.collective.plan.running[0].vehicle))
+        return self.plan.grouping.names(self.plan.collective.plan.running[0].described)
 
     @cached_property
     def files(self) -> StepFiles:
@@ -231,6 +230,31 @@ class Campaign:
             found = sized(evaluation, profiles, places, runs, error)
         write_errors(self.directory, found, self.files.ends()[-1].distance)
         return found
+
+    def evaluated(
+        self, workers: Workers, progress: Callable[[Standing], None] | None = None,
+        evaluate: Evaluate = evaluate_case,
+    ) -> Evaluated:  # fmt: skip
+        """Rates of the wheels as they are after the last step, of new ones before any; all cases are run.
+
+        Parameters
+        ----------
+        workers
+            Where cases run.
+        progress, evaluate
+            As `Evaluation`.
+
+        Raises
+        ------
+        ValueError, FileExistsError, TooManyFailed, EngineStopped, OSError, KeyboardInterrupt, Terminated
+            As `run`.
+        """
+        wheels = self.files.conditions(self.files.count - 1) if self.files.count else self.start()
+        with self._results() as folder:
+            evaluation = Evaluation(
+                self.plan, self.plan.of_steps.cases(), folder, workers, self.directory, progress, evaluate
+            )
+            return evaluation({group: one.step.profile for group, one in wheels.items()})
 
     def _results(self) -> ResultFolder:
         """The folder of results of this file and this code."""

@@ -43,7 +43,8 @@ from hh_exudyn.contact.profile import WHEEL_PROFILES, wheel_profile
 from hh_exudyn.sourced import Parameter
 from hh_exudyn.text_files import parsed_toml, read_toml
 
-_OWN = ("wheels", "damage", "limits", "step")
+OWN_TABLES = ("wheels", "damage", "limits", "step")
+"""Tables of a campaign beside those of its load collective."""
 
 
 @dataclass(frozen=True)
@@ -138,8 +139,8 @@ def campaign_of_text(text: str, source: str, folder: Path) -> CampaignPlan:
 
 def _campaign(entries: dict[str, Any], source: str, folder: Path) -> CampaignPlan:
     """A campaign from the tables of its file."""
-    own = SourcedTable({name: entries[name] for name in _OWN if name in entries}, source)
-    rest = {name: value for name, value in entries.items() if name not in _OWN}
+    own = SourcedTable({name: entries[name] for name in OWN_TABLES if name in entries}, source)
+    rest = {name: value for name, value in entries.items() if name not in OWN_TABLES}
     collective = Collective(plan_of_entries(rest, source, folder))
     grouping, damage, step = Grouping(), DamageSettings(), {}
     if "wheels" in own:

@@ -14,7 +14,8 @@ In the order of an evaluation.
 `influence`         displacement of a strip under the load of another
 `loads`             the loads: the complementarity problem
 `edges`             edges of contact within a strip
-`elimination`       a small linear system
+`equations`         the equations of both in memory, and their order
+`elimination`       a small linear system, or a part of it
 `shape`             half lengths and pressures from the loads
 `creep`             creep forces and tractions by FaStrip, each strip with its own slip
 `pressure`          pressures by a second solution, for logs and damage

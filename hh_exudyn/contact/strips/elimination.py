@@ -1,103 +1,122 @@
-"""Gauss's elimination of a small system, given by columns (kernel).
+"""Gauss's elimination of a part of a small system's unknowns, given by columns (kernel).
 
-The rows in memory are the columns A^T of the system A x = b. With A^T = L U, L with a unit diagonal, it is
-U^T L^T x = b: both triangular solves subtract multiples of rows too, so that all inner loops run over
-adjacent numbers, eight at a time and over the end of a row, into `PADDING`: the few equations of a wheel
-would otherwise spend their time in remainders of loops.
+The rows in memory are the columns A^T of the system A x = b: row k holds what the unknown k does to every
+equation. Unknowns k in a list of pivots are eliminated: every later row r, and b as one row more, loses a
+multiple of row k, so that it does nothing to equation k any more,
+
+    row r -= f row k,   f = A^T[r, k]/A^T[k, k].                                                         (1)
+
+The multiples are kept: x_k is the f of b in column k, less x_r times that of every later row r. What remains
+of the rows is the system of the unknowns that were not eliminated. Two pivots are taken at a time, which
+halves what is written.
+
+All inner loops run over whole rows, past the equations that are done and over the end into `PADDING`, eight
+adjacent numbers at a time: so the equations stay where they are, and the few of a wheel spend no time in
+remainders of loops.
 """
 
 import numpy as np
 
 from hh_exudyn.arrays import FloatArray
-from hh_exudyn.contact.tangential.strips import LANES
-from hh_exudyn.kernel import inlined_kernel, kernel
+from hh_exudyn.contact.strips.table import CAPACITY
+from hh_exudyn.kernel import inlined_kernel
+from hh_exudyn.lanes import LANES, add_multiples
 
-_1, _2, _3, _4, _5, _6, _7 = (np.uint64(k) for k in range(1, LANES))  # below, LANES numbers are written out
-PADDING = LANES  # numbers at the end of every row of memory that take no part, but must be finite
+PADDING = LANES  # numbers at the end of every row of memory that take no part
+_NATURAL_ORDER = np.arange(CAPACITY + 1.0)
 
 
-@kernel
-def eliminate(n: int, columns: FloatArray, values: FloatArray, unknowns: FloatArray) -> None:
-    """Solve n equations whose diagonal is the largest of every column (kernel: trusts its input).
+@inlined_kernel
+def reduce_rows(
+    pivots: int, first: int, end: int, order: FloatArray, count: int, rows: FloatArray, factors: FloatArray
+) -> None:
+    """Eliminate unknowns from rows, by equation 1 (kernel: trusts its input).
 
     Parameters
     ----------
-    n : int
-        Number of equations.
-    columns : FloatArray
-        (>= n, >= n + PADDING), row k the coefficients of unknown k; overwritten.
+    pivots : int
+        Number of unknowns eliminated.
+    first, end : int
+        0 and the number of rows; or, once this has been done, `pivots` or more and an end: these rows are
+        reduced as well.
+    order : FloatArray
+        (>= end,) numbers of rows, the pivots first.
+    count : int
+        Equations.
+    rows, factors : FloatArray
+        (> rows, >= count + PADDING) coefficients, in and out; f of equation 1 out, and zero in the row of a
+        pivot from its own column to the next `LANES`.
+    """
+    for p in range(0, pivots, 2):
+        k = np.uint64(order[np.uint64(p)])
+        pivot = rows[k]
+        inverse = 1.0 / pivot[k]
+        if first == 0:
+            for lane in range(LANES):
+                factors[k, k + np.uint64(lane)] = 0.0
+        if p + 1 == pivots:
+            for q in range(max(first, pivots), end):
+                r = np.uint64(order[np.uint64(q)])
+                factor = rows[r, k] * inverse
+                factors[r, k] = factor
+                subtract(factor, pivot, count, rows[r])
+            return
+        n = np.uint64(order[np.uint64(p + 1)])
+        second = rows[n]
+        # both divisions at once, as they take long
+        inverse_of_second = 1.0 / second[n]
+        if first == 0:
+            factor = second[k] * inverse
+            inverse_of_second = pivot[k] / (pivot[k] * second[n] - second[k] * pivot[n])
+            factors[n, k] = factor
+            for lane in range(LANES):
+                factors[n, n + np.uint64(lane)] = 0.0
+            subtract(factor, pivot, count, second)
+        for q in range(max(first, p + 2), end):
+            r = np.uint64(order[np.uint64(q)])
+            row = rows[r]
+            one = row[k] * inverse
+            other = (row[n] - one * pivot[n]) * inverse_of_second
+            factors[r, k], factors[r, n] = one, other
+            for start in range(0, count, LANES):
+                add_multiples(row, start, (-one, -other), (pivot, second), start)
+
+
+@inlined_kernel
+def substitute_back(pivots: int, order: FloatArray, factors: FloatArray, values: FloatArray) -> None:
+    """The eliminated unknowns from the multiples of equation 1 (kernel: trusts its input).
+
+    Parameters
+    ----------
+    pivots, order, factors
+        As of `reduce_rows`; the order of the pivots is that of their numbers.
     values : FloatArray
-        (>= n + PADDING,) right-hand sides; overwritten.
-    unknowns : FloatArray
-        (>= n,) out.
+        f of the right-hand side, less x_r f of the unknowns that were not eliminated, in; the unknowns out.
+        In the columns of the others it is of no meaning.
     """
-    for k in range(n):
-        here = np.uint64(k)  # an index that is never counted from the end
-        pivot = columns[here]
-        inverse = 1.0 / pivot[here]
-        for r in range(k + 1, n):
-            column = columns[np.uint64(r)]
-            factor = column[here] * inverse
-            _subtract(factor, pivot, k + 1, n, column)
-            column[here] = factor
-        values[here] *= inverse
-        _subtract(values[here], pivot, k + 1, n, values)
-    for k in range(n - 1, -1, -1):
-        here = np.uint64(k)
-        unknowns[here] = values[here]  # what is beyond k in `values` is of no more use
-        _subtract(unknowns[here], columns[here], 0, k, values)
+    for p in range(pivots - 1, -1, -1):
+        k = np.uint64(order[np.uint64(p)])
+        subtract(values[k], factors[k], int(k), values)
 
 
 @inlined_kernel
-def _subtract(factor: float, row: FloatArray, first: int, end: int, other: FloatArray) -> None:
-    """other -= factor * row, from the first place to the end or some places beyond."""
-    for start in range(first, end, LANES):
-        k = np.uint64(start)
-        # all are read before the first is written: so the compiler need not ask whether the rows overlap
-        a, b = other[k] - factor * row[k], other[k + _1] - factor * row[k + _1]
-        c, d = other[k + _2] - factor * row[k + _2], other[k + _3] - factor * row[k + _3]
-        e, f = other[k + _4] - factor * row[k + _4], other[k + _5] - factor * row[k + _5]
-        g, h = other[k + _6] - factor * row[k + _6], other[k + _7] - factor * row[k + _7]
-        other[k], other[k + _1], other[k + _2], other[k + _3] = a, b, c, d
-        other[k + _4], other[k + _5], other[k + _6], other[k + _7] = e, f, g, h
-
-
-@inlined_kernel
-def select(n: int, numbers: FloatArray, all_columns: FloatArray, columns: FloatArray) -> None:
-    """The equations of n unknowns out of all, their padding zero.
+def solve_few(n: int, rows: FloatArray, factors: FloatArray) -> None:
+    """Solve a system of n equations (kernel: trusts its input).
 
     Parameters
     ----------
     n : int
-        Number of equations.
-    numbers : FloatArray
-        (>= n,) of the unknowns.
-    all_columns : FloatArray
-        Coefficients of all, as of `eliminate`.
-    columns : FloatArray
-        (>= n, >= n + PADDING) out.
+        Number of equations, `CAPACITY` at most.
+    rows, factors : FloatArray
+        (> n, >= n + PADDING) row k the coefficients of unknown k, row n the right-hand side, overwritten;
+        the unknowns in row n of the factors out.
     """
-    if n == 0:
-        return
-    first = int(numbers[0])
-    adjacent = numbers[n - 1] - numbers[0] == n - 1.0
-    for k in range(n):
-        column, chosen = all_columns[np.uint64(numbers[k])], columns[np.uint64(k)]
-        if adjacent:
-            _copy(column, first, n, chosen)
-        else:
-            for r in range(n):
-                chosen[np.uint64(r)] = column[np.uint64(numbers[np.uint64(r)])]
-        for r in range(n, n + PADDING):
-            chosen[np.uint64(r)] = 0.0
+    reduce_rows(n, 0, n + 1, _NATURAL_ORDER, n, rows, factors)
+    substitute_back(n, _NATURAL_ORDER, factors, factors[n])
 
 
 @inlined_kernel
-def _copy(row: FloatArray, first: int, n: int, other: FloatArray) -> None:
-    """The n numbers of a row from the first place on, and some beyond, into the beginning of another one."""
-    for start in range(0, n, LANES):
-        k, i = np.uint64(start), np.uint64(first + start)
-        a, b, c, d = row[i], row[i + _1], row[i + _2], row[i + _3]
-        e, f, g, h = row[i + _4], row[i + _5], row[i + _6], row[i + _7]
-        other[k], other[k + _1], other[k + _2], other[k + _3] = a, b, c, d
-        other[k + _4], other[k + _5], other[k + _6], other[k + _7] = e, f, g, h
+def subtract(factor: float, row: FloatArray, count: int, other: FloatArray) -> None:
+    """other -= factor * row, over the first numbers and some beyond."""
+    for start in range(0, count, LANES):
+        add_multiples(other, start, (-factor,), (row,), start)

@@ -18,18 +18,21 @@ from scipy.special import ellipe, ellipkm1
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
-from hh_exudyn.contact.tangential.strips import LANES
 from hh_exudyn.contact.types import Memory
-from hh_exudyn.kernel import inlined_kernel, kernel, memory, shaped
+from hh_exudyn.kernel import inlined_kernel, kernel, shaped
+from hh_exudyn.lanes import LANES, set_multiples
 
 CENTRING = 1.07  # factor of the compliance [-]
 
 _END = 8.0  # of the tables; beyond it f = pi/2 (1/t - 1/(8 t^3)) to 1e-5
 _PER_UNIT = 64  # nodes
 _HALF_PI = 0.5 * math.pi
-_FIRST, _PER_LOGARITHM, _NODES = -0.8, 16, 80  # ln of half length over width in the table of equal strips
-_LARGEST_RATIO = 50.0  # in that table; no strip is shorter than its width
-_APART = 8 * LANES  # widths at most, in that table
+_APART = 8 * LANES  # widths at most, in the table of equal strips
+_MIDDLE, _LARGEST_RATIO = 5.0, 50.0  # half length over width in the middle and at the end of that table
+_NODES = 80
+_PER_UNIT_OF_G = (_NODES - 3) / (2.0 * (_LARGEST_RATIO - _MIDDLE) / (_LARGEST_RATIO + _MIDDLE))
+_FIRST = -(_LARGEST_RATIO - _MIDDLE) / (_LARGEST_RATIO + _MIDDLE) - 1.0 / _PER_UNIT_OF_G
+_LEAST_T, _DEGREE = 0.75, 8  # t from which the polynomials of distant strips hold, and their degree
 
 
 def influence_density(t: FloatArray) -> FloatArray:
@@ -125,8 +128,12 @@ def mean_density(t: float, half: float) -> float:
 
 
 def _even_table() -> FloatArray:
-    """(nodes, `_APART`): F((m + 1/2)/r) - F((m - 1/2)/r), equal strips m widths apart, over ln r, r = a/w."""
-    half = 0.5 / np.exp(_FIRST + np.arange(_NODES) / _PER_LOGARITHM)
+    """(nodes, 2 `_APART` + LANES): F((m + 1/2)/r) - F((m - 1/2)/r), equal strips m widths apart.
+
+    In column m + `_APART`, over even steps of g of `_even_influences`; r = a/w is 0.5 in the second row.
+    """
+    g = _FIRST + np.arange(_NODES) / _PER_UNIT_OF_G
+    half = 0.5 * (1.0 - g) / (_MIDDLE * (1.0 + g))
     points, weights = np.polynomial.legendre.leggauss(24)
     # of a strip on itself, the logarithm is integrated by itself
     t = half[:, None] * 0.5 * (1.0 + points)
@@ -135,65 +142,130 @@ def _even_table() -> FloatArray:
     apart = np.arange(1, _APART)
     t = half[:, None, None] * (2.0 * apart[None, :, None] + points)
     others = half[:, None] * (influence_density(t) @ weights)
-    return np.column_stack([own, others])
+    beyond = np.zeros((_NODES, 1 + LANES))  # read, never used
+    return np.column_stack([beyond[:, :1], others[:, ::-1], own, others, beyond[:, 1:]])
 
 
-_EVEN = _even_table()
+def _far_polynomials() -> FloatArray:
+    """(degree + 1, 2): of `_far_influences`, from the constant terms on."""
+    m = 0.5 / (1.0 + _LEAST_T**2) * (1.0 - np.cos(math.pi * (np.arange(200) + 0.5) / 200))
+    density = influence_density(np.sqrt(1.0 / m - 1.0)) / np.sqrt(m)
+    spread = m * ellipe(m) / (3.0 * (1.0 - m))
+    fits = [np.polynomial.Chebyshev.fit(m, values, _DEGREE) for values in (density, spread)]
+    return np.column_stack([fit.convert(kind=np.polynomial.Polynomial).coef for fit in fits])
 
 
-@inlined_kernel
-def _even_influences(ratio: float, last: int, factor: float, values: Memory) -> None:
-    """Influence of a strip on equal ones 0 .. last widths apart, from Lagrange's cubic between nodes."""
-    place = (math.log(ratio) - _FIRST) * _PER_LOGARITHM
-    node = min(max(int(place), 1), _NODES - 3)
-    q = place - node
-    before, behind = q + 1.0, q - 1.0
-    first = -factor * q * behind * (q - 2.0) / 6.0
-    second = factor * before * behind * (q - 2.0) / 2.0
-    third = -factor * before * q * (q - 2.0) / 2.0
-    fourth = factor * before * q * behind / 6.0
-    one, two, three, four = _EVEN[node - 1], _EVEN[node], _EVEN[node + 1], _EVEN[node + 2]
-    value = shaped(values, (_APART,))
-    for start in range(0, last + 1, LANES):
-        for m in range(start, start + LANES):
-            value[m] = first * one[m] + second * two[m] + third * three[m] + fourth * four[m]
+_EVEN, _FAR = _even_table(), _far_polynomials()
 
 
 @kernel
-def influence_of(k: int, count: int, modulus: float, state: Memory, row: FloatArray) -> None:
+def stretches_of(count: int, state: Memory, ends: FloatArray) -> int:
+    """Stretches of adjacent strips of one width: their number; `ends` is filled with the strips behind them.
+
+    Parameters
+    ----------
+    count, state
+        See the map of this folder; of `state`, `NUMBER` and `WIDTH` are read.
+    ends : FloatArray
+        (>= count,) out.
+    """
+    s = shaped(state, (ROWS, CAPACITY))
+    number = 0
+    for j in range(1, count + 1):
+        if (
+            j == count
+            or s[Row.NUMBER, j] != s[Row.NUMBER, j - 1] + 1.0
+            or s[Row.WIDTH, j] != s[Row.WIDTH, j - 1]
+        ):
+            ends[number] = j
+            number += 1
+    return number
+
+
+@inlined_kernel
+def influence_of(
+    k: int, stretches: int, ends: FloatArray, modulus: float, state: Memory, row: FloatArray
+) -> None:
     """Displacement of all strips under a unit load of strip k [m/N], equation 1 (kernel).
 
     Parameters
     ----------
-    k, count : int
-        The strip, and the number of strips with overlap.
+    k : int
+        The strip.
+    stretches, ends
+        Of the strips with overlap (`stretches_of`).
     modulus : float
         G/(1 - nu) [Pa].
     state : memory
         (ROWS, CAPACITY): `NUMBER`, `ARC`, `WIDTH`, `HALF_LENGTH` in.
     row : FloatArray
-        (>= count,) out.
+        (>= strips with overlap + LANES,) out; what lies beyond them is written too.
     """
     s = shaped(state, (ROWS, CAPACITY))
-    width, number, ratio = s[Row.WIDTH, k], s[Row.NUMBER, k], s[Row.HALF_LENGTH, k] / s[Row.WIDTH, k]
-    factor = CENTRING * 2.0 / (math.pi * math.pi * modulus * width)
-    first, end = 0, count  # the strips as wide as this one: tread and flange have different ones
-    while s[Row.WIDTH, first] != width:
-        first += 1
-    while s[Row.WIDTH, end - 1] != width:
-        end -= 1
-    last = int(max(number - s[Row.NUMBER, first], s[Row.NUMBER, end - 1] - number))
-    if last < _APART and ratio < _LARGEST_RATIO:
-        values = memory(_APART)
-        _even_influences(ratio, last, factor, values)
-        value = shaped(values, (_APART,))
-        for j in range(first, end):
-            row[j] = value[np.uint64(abs(s[Row.NUMBER, j] - number))]
-    else:
-        first, end = 0, 0
-    if first > 0 or end < count:
-        _uneven_influences(k, 0, first, factor, state, row)
-        _uneven_influences(k, end, count, factor, state, row)
+    width, number, half_length = s[Row.WIDTH, k], s[Row.NUMBER, k], s[Row.HALF_LENGTH, k]
+    factor = CENTRING * 2.0 / (math.pi * math.pi * modulus) / width
+    first = 0
+    for n in range(stretches):
+        end = int(ends[n])
+        before = s[Row.NUMBER, first] - number  # widths, from this strip to the first of the stretch
+        if (
+            s[Row.WIDTH, first] == width
+            and half_length < _LARGEST_RATIO * width
+            and -_APART < before <= _APART - (end - first)
+        ):
+            _even_influences(half_length, width, first, end, int(before) + _APART, factor, row)
+        else:
+            near = min(abs(s[Row.ARC, first] - s[Row.ARC, k]), abs(s[Row.ARC, end - 1] - s[Row.ARC, k]))
+            if first <= k < end or near < max(_LEAST_T * half_length, 2.0 * width):
+                _uneven_influences(k, first, end, factor, state, row)
+            else:
+                _far_influences(k, first, end, factor, state, row)
+        first = end
+
+
+@inlined_kernel
+def _even_influences(
+    half_length: float, width: float, first: int, end: int, column: int, factor: float, row: FloatArray
+) -> None:
+    """Influence on the strips first .. end - 1, equal and adjacent, the first at a column of the table.
+
+    From Lagrange's cubic over g = (a - c w)/(a + c w), which is a logarithm of r = a/w without being one.
+    """
+    g = (half_length - _MIDDLE * width) / (half_length + _MIDDLE * width)
+    place = (g - _FIRST) * _PER_UNIT_OF_G
+    node = np.uint64(min(max(place, 1.0), _NODES - 3.0))  # by rounding, at either end
+    q = place - node
+    before, behind = q + 1.0, q - 1.0
+    one = -factor * q * behind * (q - 2.0) * (1.0 / 6.0)
+    two = 0.5 * factor * before * behind * (q - 2.0)
+    three = -0.5 * factor * before * q * (q - 2.0)
+    four = factor * before * q * behind * (1.0 / 6.0)
+    a, b = _EVEN[node - np.uint64(1)], _EVEN[node]
+    c, d = _EVEN[node + np.uint64(1)], _EVEN[node + np.uint64(2)]
+    for start in range(first, end, LANES):
+        set_multiples(row, start, (one, two, three, four), (a, b, c, d), column + start - first)
+
+
+@kernel
+def _far_influences(k: int, first: int, end: int, factor: float, state: Memory, row: FloatArray) -> None:
+    """Influence of strip k on the strips first .. end - 1 of any width, all far from it (t >= `_LEAST_T`).
+
+    Equation 2 and its second derivative, f'' = 2 E/(t^2 sqrt(1 + t^2)), by polynomials of m: f is
+    sqrt(m) p(m), and its mean over a strip sqrt(m) (p(m) + (w/2a)^2 q(m)).
+    """
+    s = shaped(state, (ROWS, CAPACITY))
+    square, place = s[Row.HALF_LENGTH, k] * s[Row.HALF_LENGTH, k], s[Row.ARC, k]
+    half = 0.5 * s[Row.WIDTH, k] / s[Row.HALF_LENGTH, k]
+    scale = 2.0 * half * factor
+    for i in range(((end - first + LANES - 1) // LANES) * LANES):  # whole vectors
+        j = np.uint64(first + i)
+        distance = s[Row.ARC, j] - place
+        m = square / (square + distance * distance)
+        density, spread = _FAR[_DEGREE, 0], _FAR[_DEGREE, 1]
+        for power in range(_DEGREE - 1, -1, -1):
+            density = density * m + _FAR[power, 0]
+            spread = spread * m + _FAR[power, 1]
+        row[j] = scale * math.sqrt(m) * (density + half * half * spread)
 
 
 @kernel

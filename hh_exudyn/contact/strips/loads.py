@@ -19,6 +19,8 @@ The second pass is for the pressure alone: its half lengths are those of the fir
 makes the force continuous and monotone, so forces never come from it.
 
 The problem is solved by active sets: guess, solve, drop what pulls, add what sinks in, until nothing changes.
+Strips within a run (`equations.order_strips`) are eliminated first, as `edges` needs them no more: one
+elimination serves the sharp solution and the softened one.
 """
 
 import math
@@ -27,21 +29,30 @@ import numpy as np
 
 from hh_exudyn.arrays import FloatArray
 from hh_exudyn.contact.strips.edges import soften_edges
-from hh_exudyn.contact.strips.elimination import PADDING, eliminate, select
-from hh_exudyn.contact.strips.influence import influence_of
+from hh_exudyn.contact.strips.elimination import PADDING, reduce_rows, solve_few, substitute_back, subtract
+from hh_exudyn.contact.strips.equations import (
+    PLACE_ROWS,
+    PLACES,
+    PLACES_SIZE,
+    Place,
+    Room,
+    Strips,
+    order_strips,
+    write_row,
+)
+from hh_exudyn.contact.strips.influence import stretches_of
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
 from hh_exudyn.contact.types import Memory
-from hh_exudyn.kernel import allocating_kernel, kernel, memory, shaped
+from hh_exudyn.kernel import allocating_kernel, inlined_kernel, kernel, memory, shaped
 
 _LENGTH = 0.6  # A a^2 / d: 0.73 for a/b = 0.4, 0.5 for a circle, 0.38 for a/b = 10
 _GUESS = 0.45  # of the largest overlap around; of an ellipse 0.5 to 0.6 is pressed away
 _BLOCK_ROUNDS = 10  # in which many strips change at once; then one at a time, which always ends
 _MOST_ROUNDS = 400
-_PLACES = CAPACITY + PADDING
-_ALL_PLACES = 6 * _PLACES
 _FEW = 48  # strips with overlap: the matrices lie on the stack
 _ROW = _FEW + PADDING
-_MATRIX = _FEW * _ROW
+_LINES = _FEW + 1
+_MATRIX = _LINES * _ROW
 _ROUNDING = 1e-13  # m, of an overlap
 
 
@@ -81,15 +92,14 @@ def solve_loads(
         Whether the sets of strips came to rest.
     """
     if count <= _FEW:
-        return _solve_loads(
-            count,
-            modulus,
-            guess,
-            state,
-            compliance,
-            shaped(memory(_MATRIX), (_FEW, _ROW)),
-            shaped(memory(_MATRIX), (_FEW, _ROW)),
+        room = Room(
+            memory(PLACES_SIZE),
+            shaped(memory(_MATRIX), (_LINES, _ROW)),
+            shaped(memory(_MATRIX), (_LINES, _ROW)),
+            shaped(memory(_MATRIX), (_LINES, _ROW)),
+            shaped(memory(_MATRIX), (_LINES, _ROW)),
         )
+        return _solve_loads(Strips(count, modulus, compliance), guess, state, room)
     return _solve_many_loads(count, modulus, guess, state, compliance)
 
 
@@ -98,75 +108,89 @@ def _solve_many_loads(
     count: int, modulus: float, guess: FloatArray, state: Memory, compliance: float
 ) -> bool:
     """`solve_loads` with matrices that are too large for the stack."""
-    room = count + PADDING
-    return _solve_loads(
-        count, modulus, guess, state, compliance, np.empty((count, room)), np.empty((count, room))
-    )
+    shape = (count + 1, count + PADDING)
+    room = Room(memory(PLACES_SIZE), np.empty(shape), np.empty(shape), np.empty(shape), np.empty(shape))
+    return _solve_loads(Strips(count, modulus, compliance), guess, state, room)
 
 
-@kernel
-def _solve_loads(
-    count: int,
-    modulus: float,
-    guess: FloatArray,
-    state: Memory,
-    compliance: float,
-    influences: FloatArray,
-    matrix: FloatArray,
-) -> bool:
-    """`solve_loads` with room for the influences (row k: of strip k on all) and the matrix to be solved."""
-    s = shaped(state, (ROWS, CAPACITY))
-    places = shaped(memory(_ALL_PLACES), (6, _PLACES))
-    active, known, residual, loads, numbers = places[0], places[1], places[2], places[3], places[4]
-    overlaps = places[5]
+@inlined_kernel
+def _solve_loads(strips: Strips, guess: FloatArray, state: Memory, room: Room) -> bool:
+    """`solve_loads` with room for its matrices."""
+    s, place = shaped(state, (ROWS, CAPACITY)), shaped(room.places, (PLACE_ROWS, PLACES))
+    active, count = place[Place.ACTIVE], strips.number
+    stretches = stretches_of(count, state, place[Place.ENDS])
     _start(count, guess, state, active)
-    known[:count] = 0.0
+    for j in range(count):
+        place[Place.SOFT, j] = 0.0
+    settled = False
     for rounds in range(_MOST_ROUNDS):
-        n = 0
-        for j in range(count):
-            if active[j] > 0.0:
-                numbers[n] = j
-                n += 1
-                if known[j] == 0.0:
-                    influence_of(j, count, modulus, state, influences[j])
-                    if compliance > 0.0:
-                        for r in range(count):
-                            influences[j, r] += compliance
-                    known[j] = 1.0
-        for r in range(n):
-            overlaps[r] = s[Row.OVERLAP, np.uint64(numbers[r])]
-        for r in range(n, n + PADDING):
-            overlaps[r] = 0.0
-        select(n, numbers, influences, matrix)
-        eliminate(n, matrix, overlaps, loads)
-        one = rounds >= _BLOCK_ROUNDS
-        changed = False
-        for r in range(n):
-            if loads[r] < 0.0 and not (one and changed):
-                active[np.uint64(numbers[r])] = 0.0
-                changed = True
-        if changed:
+        inner, loaded = order_strips(count, state, room)
+        for p in range(loaded):
+            write_row(int(place[Place.ORDER, p]), strips, stretches, state, room)
+        _sharp_loads(count, inner, loaded, state, room)
+        if not settled and _changes(count, rounds >= _BLOCK_ROUNDS, room):
             continue
-        for j in range(count):
-            residual[j] = -s[Row.OVERLAP, j]
-        for r in range(n):
-            row, load = influences[np.uint64(numbers[r])], loads[r]
-            for j in range(count):
-                residual[j] += load * row[j]
-        for j in range(count):
-            if active[j] == 0.0 and residual[j] < -_ROUNDING and not (one and changed):
-                active[j] = 1.0
-                changed = True
-        if not changed:
+        settled = True
+        if soften_edges(strips, inner, loaded, stretches, state, room):
             guess[:] = 0.0
             for j in range(count):
-                s[Row.LOAD, j] = 0.0
                 guess[np.uint64(s[Row.NUMBER, j])] = active[j]
-            for r in range(n):
-                s[Row.LOAD, np.uint64(numbers[r])] = loads[r]
-            soften_edges(count, modulus, influences, known, residual, matrix, state, compliance)
             return True
     return False
+
+
+@inlined_kernel
+def _changes(count: int, one: bool, room: Room) -> bool:
+    """Drop the strips that pull or, where none does, add those that sink in; one only, or all at once.
+
+    Returns whether there was any.
+    """
+    place = shaped(room.places, (PLACE_ROWS, PLACES))
+    active, changed = place[Place.ACTIVE], False
+    for j in range(count):
+        if active[j] > 0.0 and place[Place.LOAD, j] < 0.0 and not (one and changed):
+            active[j] = 0.0
+            changed = True
+    if changed:
+        return True
+    for j in range(count):
+        if active[j] == 0.0 and place[Place.GAP, j] < -_ROUNDING and not (one and changed):
+            active[j] = 1.0
+            changed = True
+    return changed
+
+
+@inlined_kernel
+def _sharp_loads(count: int, inner: int, loaded: int, state: Memory, room: Room) -> None:
+    """Loads of the active strips, and the gaps K P - d of the others.
+
+    The inner strips are eliminated, and what remains is solved for the ends of the runs.
+    """
+    s, place = shaped(state, (ROWS, CAPACITY)), shaped(room.places, (PLACE_ROWS, PLACES))
+    order, gap, load = place[Place.ORDER], place[Place.GAP], place[Place.LOAD]
+    values = room.rows[count]
+    for j in range(count):
+        values[j] = s[Row.OVERLAP, j]
+    order[loaded] = count  # the right-hand side is one row more
+    reduce_rows(inner, 0, loaded + 1, order, count, room.rows, room.factors)
+    ends = loaded - inner
+    for c in range(ends):
+        row = room.rows[np.uint64(order[inner + c])]
+        for r in range(ends):
+            room.few[c, r] = row[np.uint64(order[inner + r])]
+        room.few[ends, c] = values[np.uint64(order[inner + c])]
+    solve_few(ends, room.few, room.few_factors)
+    known = room.few_factors[ends]
+    for j in range(count):
+        gap[j] = -values[j]
+        load[j] = room.factors[count, j]
+    for c in range(ends):
+        k = np.uint64(order[inner + c])
+        subtract(-known[c], room.rows[k], count, gap)
+        subtract(known[c], room.factors[k], count, load)
+    substitute_back(inner, order, room.factors, load)
+    for c in range(ends):
+        load[np.uint64(order[inner + c])] = known[c]
 
 
 @kernel

@@ -13,6 +13,7 @@ from hh_exudyn.contact.strips.influence import (
     influence_integral,
     influence_of,
     mean_density,
+    stretches_of,
 )
 from hh_exudyn.contact.strips.table import CAPACITY, ROWS, Row
 from hh_exudyn.kernel import kernel, memory, shaped
@@ -56,7 +57,8 @@ def influence_row(k: int, count: int, modulus: float, given: FloatArray, row: Fl
     for i in range(ROWS):
         for j in range(CAPACITY):
             s[i, j] = given[i, j]
-    influence_of(k, count, modulus, state, row)
+    ends = shaped(memory(CAPACITY), (CAPACITY,))
+    influence_of(k, stretches_of(count, state, ends), ends, modulus, state, row)
 
 
 @pytest.mark.parametrize("half_length", [0.6e-3, 1.1e-3, 4.0e-3, 9.3e-3, 55.0e-3])
