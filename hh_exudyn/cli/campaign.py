@@ -1,4 +1,5 @@
-"""The commands about campaigns: ``new``, ``run``, ``vary``, ``error``, ``status``; others have files of their own.
+"""The commands about campaigns: ``new``, ``run``, ``vary``, ``error``,
+``status``.
 
 They compute nothing themselves.
 
