@@ -11,6 +11,9 @@ from command_line import call, refused
 from made_up_campaign import campaign_file, run
 from made_up_wear import CRACK_RATE, TREAD_RATE, made_up_sums
 
+from damage.rails.rail_surface import RailSurface
+from damage.surface.lateral_grid import LateralGrid, PatchGrid
+from damage.surface.wheel_surface import Wheel
 from hh_exudyn.campaign.engine.case_damage import CaseWork
 from hh_exudyn.campaign.engine.sums import PartSums
 from hh_exudyn.campaign.life.campaign import Campaign
@@ -20,14 +23,27 @@ from hh_exudyn.campaign.results.comparison import comparison_figure, comparison_
 from hh_exudyn.campaign.results.errors import errors_table
 from hh_exudyn.campaign.results.html_parts import figure_html, heading, number_text, table_html
 from hh_exudyn.campaign.results.page import page
+from hh_exudyn.campaign.results.rails import rails_table
 from hh_exudyn.campaign.results.recorded import Recorded
+from hh_exudyn.conventions import LEFT, RIGHT
 
 FASTER = 60.0  # cracks than those of the made-up wear: due after some 2,000 km
 
 
+RAIL_DEPTH, PASSING = 2e-9, 1e5  # m by one passing of a mass [kg]
+
+
+def worn_rail(side: int) -> RailSurface:
+    """A rail worn in one bin by one passing."""
+    rail = RailSurface.zero(side, (Wheel(1, 1, 1, side),), LateralGrid(), PatchGrid())
+    rail.by_wheel.depth_by_part[0, 0, 80] = RAIL_DEPTH
+    return replace(rail, mass=PASSING)
+
+
 def cracking(work: CaseWork) -> PartSums:
-    """The made-up wear with faster cracks."""
-    found = made_up_sums(work)
+    """The made-up wear with faster cracks, and with rails."""
+    rails = (worn_rail(LEFT), worn_rail(RIGHT))
+    found = {name: replace(sums, rails=rails) for name, sums in made_up_sums(work).items()}
     for sums in found.values():
         for surface in sums.surfaces:
             surface.crack_damage[...] *= FASTER
@@ -164,6 +180,14 @@ def test_every_assumed_number_has_a_source(recorded: Recorded) -> None:
     assert limits["least_diameter"] == 857.0
 
 
+def test_rails_wear_by_class_and_mass(recorded: Recorded) -> None:
+    """Every passing wears alike: all rails have that wear over its mass, straight or curved."""
+    rows = rails_table(recorded).to_pylist()
+    assert {row["rail"] for row in rows} == {"straight", "high", "low"}
+    for row in rows:
+        assert row["wear_mm_per_MGT"] == pytest.approx(1e3 * 1e9 * RAIL_DEPTH / PASSING)
+
+
 def test_errors_are_those_of_the_file(recorded: Recorded) -> None:
     assert errors_table(recorded) is None
     path = recorded.campaign.directory / FILE
@@ -179,8 +203,10 @@ def test_errors_are_those_of_the_file(recorded: Recorded) -> None:
         assert [row["rate"] for row in rows] == pytest.approx([10.0, 0.02])
         assert [row["sampling_percent"] for row in rows] == pytest.approx([3.0, 5.0])
         assert rows[1]["steps_of_gauge_percent"] == pytest.approx(2.0)
-        text = page(recorded)
-        assert "48 runs were bought." in text
+        drawn = figures.errors_figure(recorded, content)
+        assert [axes.get_title(loc="left") for axes in drawn.axes] == [
+            f"{group}: wear [µm per 1000 km]" for group in recorded.groups
+        ]
         path.write_text(json.dumps(content | {"total": [1e-11]}))
         with pytest.raises(ValueError, match=r"errors.json: holds no errors"):
             errors_table(recorded)
@@ -296,22 +322,26 @@ def test_axes_do_not_blow_up_what_does_not_change(recorded: Recorded) -> None:
     assert high - low > 0.0199
 
 
-def test_the_commands_show_write_and_compare(recorded: Recorded, tmp_path: Path) -> None:
+def test_the_commands_show_and_compare(recorded: Recorded, tmp_path: Path) -> None:
     folder = recorded.campaign.directory
-    shown = call(
-        "campaign", "show", folder, "--html", tmp_path / "page.html", "--tables", tmp_path / "tables",
-        "--figures", tmp_path / "figures",
-    )  # fmt: skip
+    shown = call("campaign", "show", folder, "--tables", tmp_path / "tables")
     assert shown.exit_code == 0, shown.output
-    assert (tmp_path / "page.html").read_text(encoding="utf-8").startswith("<!doctype html>")
-    assert {"measures.csv", "wear.csv", "shares.csv", "turnings.csv"} <= {
-        path.name for path in (tmp_path / "tables").iterdir()
-    }
-    assert len(list((tmp_path / "figures").iterdir())) == 6
+    names = {path.name for path in (tmp_path / "tables").iterdir()}
+    assert {"measures.csv", "wear.csv", "shares.csv", "turnings.csv", "rails.csv"} <= names
     compared = call("campaign", "compare", folder, folder, "--csv", tmp_path / "measures.csv")
     assert compared.exit_code == 0, compared.output
     assert (tmp_path / "measures.csv").is_file()
+    (tmp_path / "page.html").touch()
     assert "exists" in refused("campaign", "show", folder, "--html", tmp_path / "page.html")
+
+
+@pytest.mark.slow
+def test_the_command_writes_page_and_figures(recorded: Recorded, tmp_path: Path) -> None:
+    folder = recorded.campaign.directory
+    shown = call("campaign", "show", folder, "--html", tmp_path / "a.html", "--figures", tmp_path / "figures")
+    assert shown.exit_code == 0, shown.output
+    assert (tmp_path / "a.html").read_text(encoding="utf-8").startswith("<!doctype html>")
+    assert len(list((tmp_path / "figures").iterdir())) == 6
 
 
 def test_a_campaign_without_a_step_is_refused(tmp_path: Path) -> None:
