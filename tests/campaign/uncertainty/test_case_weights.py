@@ -117,10 +117,10 @@ def test_hauls_with_shares_of_their_own_in_a_class_keep_them_there() -> None:
     tight = np.array([one.stratum.curve_class in ("<350", "350:400", "400:450") for one in strata])
     straight = loaded & np.array([one.stratum.straight for one in strata])
     assert after[tight] == pytest.approx(weights.nominal[tight], rel=1e-12)
-    assert weights.nominal[straight & down].sum() / weights.nominal[straight].sum() == pytest.approx(
-        0.35, abs=0.02
+    before_odds, after_odds = (
+        found[straight & down].sum() / found[straight & ~down].sum() for found in (weights.nominal, after)
     )
-    assert after[straight & down].sum() / after[straight].sum() == pytest.approx(0.5, abs=0.02)
+    assert after_odds / before_odds == pytest.approx((50.0 / 50.0) / (35.0 / 65.0))
 
 
 def test_seasons_are_told_apart_where_a_cell_has_more_than_one(
