@@ -61,13 +61,17 @@ def test_half_steps_give_the_same(wheels: WheelCondition, worn: float) -> None:
 def test_stored_with_the_same_bytes(wheels: WheelCondition, tmp_path: Path) -> None:
     """NaN (pressure, conicity) and the bits of all numbers are kept; equal values are equal bytes."""
     after = replace(stepped(wheels, 0.1, 1e-5, 3), turned_at=100.0, turnings=2)
-    after = replace(after, step=replace(after.step, pressure=1.1e9, next_distance=np.nan, diffusivity=0.1))
+    rate = np.linspace(0.0, 1e-11, after.step.profile.y.size)
+    step = replace(after.step, pressure=1.1e9, next_distance=np.nan, sensitivity=0.4, next_rate=rate)
+    after = replace(after, step=step)
     after.save(tmp_path / "a.npz")
     back = WheelCondition.load(tmp_path / "a.npz")
     assert back.to_bytes() == after.to_bytes() == (tmp_path / "a.npz").read_bytes()
     assert (back.group, back.turnings, back.turned_at) == ("leading outer", 2, 100.0)
     assert back.step.distance == after.step.distance
     assert np.isnan(back.step.next_distance)
+    assert back.step.next_rate is not None
+    assert np.array_equal(back.step.next_rate, rate)
     assert np.array_equal(back.cracks["global"].damage, after.cracks["global"].damage)
     assert wheels.to_bytes() != after.to_bytes()
 
