@@ -148,6 +148,10 @@ class Recorded:
         ]
         return cases, np.array(values)
 
+    def pressure(self, group: str) -> float:
+        """Largest contact pressure of a group in the cases of the last evaluation [Pa]."""
+        return max(rates[group].pressure for _, rates in self.rows)
+
     def life_rates(self, group: str) -> LifeRates:
         """Rates of the last evaluation, for a forecast that takes them as constant."""
         y = self.wheels[group][-1].grid.lateral

@@ -356,3 +356,14 @@ def test_the_profile_table_is_what_the_steps_lost(recorded: Recorded) -> None:
     life = recorded.history("inner")
     lost = 1e6 * (life.steps[0].radius - life.last.radius)
     assert worn[np.argmin([abs(row["y_mm"]) for row in rows])] == pytest.approx(lost, rel=2e-2)
+
+
+def test_rates_under_seizure_are_not_extrapolated(
+    recorded: Recorded, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Made-up pressures are 1 GPa; above 0.8 of the hardness of ER7 a wheel is in its running-in."""
+    assert all(row["note"] is None for row in lives.forecast_table(recorded).to_pylist())
+    monkeypatch.setattr(Recorded, "pressure", lambda self, group: 2.1e9)
+    for row in lives.forecast_table(recorded).to_pylist():
+        assert row["due_km"] is None
+        assert row["note"] == "running-in: not to be extrapolated"
