@@ -64,7 +64,11 @@ def read_wheel(name: str) -> Profile:
     """A wheel profile by its name, or from its file. Raises ValueError as these do."""
     if not is_path(name):
         return wheel_profile(name)
-    return _of_content(name, hashlib.sha256(read_bytes(name)).digest())
+    try:
+        content = read_bytes(name)
+    except ValueError:
+        return read_wheel_profile(name)  # which says what is wrong with the file
+    return _of_content(name, hashlib.sha256(content).digest())
 
 
 @lru_cache(maxsize=64)  # a case with a file for every wheel asks for them ten times, 40 ms each
