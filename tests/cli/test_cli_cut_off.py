@@ -76,7 +76,7 @@ def test_resume_of_another_case_is_bad_input(done: Path, tmp_path: Path) -> None
     assert "holds something other than this run: other case, vehicle or files" in one_line(result.stderr)
 
 
-# the run writes vehicle.json, 17 kB; its contact log, 300 kB, twice that while it grows; its recording, 2.5 MB
+# the run writes vehicle.json, 17 kB; its contact log, 300 kB, twice that in growing; its recording, 2.5 MB
 @pytest.mark.parametrize(
     ("size", "file"),
     [
