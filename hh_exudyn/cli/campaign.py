@@ -26,6 +26,15 @@ campaign = typer.Typer(help="Run wheels over the distance of their life.", no_ar
 
 CampaignFile = Annotated[Path, typer.Argument(metavar="FILE.toml", help="Campaign file.")]
 CampaignFolder = Annotated[Path, typer.Argument(metavar="DIR", help="Folder of a campaign.")]
+DistanceKm = Annotated[
+    float | None, typer.Option(metavar="km", help="Distance since the start; else that of the file.")
+]
+WorkerCount = Annotated[
+    int | None, typer.Option(metavar="N", help="Processes; else one a core.", min=1, max=1024)
+]
+SchedulerAddress = Annotated[
+    str | None, typer.Option(metavar="ADDRESS", help="Dask scheduler, tcp://host:8786, for a cluster.")
+]
 _UNITS = {"s": 1.0, "min": 60.0, "h": 3600.0}
 
 
@@ -65,23 +74,15 @@ def run(
     out: Annotated[
         Path, typer.Option("-o", "--out", metavar="DIR", help="Folder; one of the same file goes on.")
     ],
-    distance_km: Annotated[
-        float | None, typer.Option(metavar="km", help="Distance since the start; else that of the file.")
-    ] = None,
-    workers: Annotated[
-        int | None, typer.Option(metavar="N", help="Processes; else one a core.", min=1, max=1024)
-    ] = None,
-    scheduler: Annotated[
-        str | None, typer.Option(metavar="ADDRESS", help="Dask scheduler, tcp://host:8786, for a cluster.")
-    ] = None,
+    distance_km: DistanceKm = None,
+    workers: WorkerCount = None,
+    scheduler: SchedulerAddress = None,
     budget: Annotated[
         str | None, typer.Option(metavar="TIME", help="Stop after this time, as 90s, 30min or 2h.")
     ] = None,
 ) -> None:
     """Wear wheels step by step until the distance; Ctrl-C and --budget leave a folder that goes on."""
     with output.errors_in_one_line():
-        from hh_exudyn.campaign.engine.mapping import TooManyFailed
-        from hh_exudyn.campaign.engine.workers import EngineStopped
         from hh_exudyn.campaign.life.campaign import Campaign
 
         inputs.check_range("--distance-km", distance_km, 1e-3, 1e7, "km")
@@ -91,13 +92,8 @@ def run(
             open_workers = _workers(workers, scheduler)
         output.print_line(begun.plan.of_steps.evaluation)
         goal = None if distance_km is None else 1e3 * distance_km
-        try:
-            with open_workers as pool, _progress() as report, inputs.refused_as_bad_input():
-                reached = begun.run(pool, goal, seconds, report)
-        except (TooManyFailed, EngineStopped) as error:
-            output.fail(output.STOPPED, str(error))
-        except KeyboardInterrupt:
-            output.fail(output.INTERRUPTED, f"interrupted; {out} is kept, and the same command goes on")
+        with _kept(out), open_workers as pool, _progress() as report:
+            reached = begun.run(pool, goal, seconds, report)
         _print_status(begun)
         if not reached:
             output.print_line(f"the time of --budget {budget} is over; the same command goes on")
@@ -119,15 +115,9 @@ def vary(
     out: Annotated[
         Path, typer.Option("-o", "--out", metavar="DIR", help="Folder of all; the same command goes on.")
     ],
-    distance_km: Annotated[
-        float | None, typer.Option(metavar="km", help="Distance since the start; else that of the file.")
-    ] = None,
-    workers: Annotated[
-        int | None, typer.Option(metavar="N", help="Processes; else one a core.", min=1, max=1024)
-    ] = None,
-    scheduler: Annotated[
-        str | None, typer.Option(metavar="ADDRESS", help="Dask scheduler, tcp://host:8786, for a cluster.")
-    ] = None,
+    distance_km: DistanceKm = None,
+    workers: WorkerCount = None,
+    scheduler: SchedulerAddress = None,
     budget: Annotated[
         str | None, typer.Option(metavar="TIME", help="Time for all, shared alike, as 90s, 30min or 2h.")
     ] = None,
@@ -142,7 +132,7 @@ def vary(
         with inputs.refused_as_bad_input():
             open_workers = _workers(workers, scheduler)
         goal = None if distance_km is None else 1e3 * distance_km
-        with open_workers as pool, _progress() as report:
+        with _kept(out), open_workers as pool, _progress() as report:
             run_variation(texts, out, pool, goal, seconds, report)
 
 
@@ -153,12 +143,8 @@ def error(
     stated: Annotated[
         float, typer.Option("--error", metavar="%", help="Stop at this error, half the interval of 95 %.")
     ] = 5.0,
-    workers: Annotated[
-        int | None, typer.Option(metavar="N", help="Processes; else one a core.", min=1, max=1024)
-    ] = None,
-    scheduler: Annotated[
-        str | None, typer.Option(metavar="ADDRESS", help="Dask scheduler, tcp://host:8786, for a cluster.")
-    ] = None,
+    workers: WorkerCount = None,
+    scheduler: SchedulerAddress = None,
 ) -> None:
     """Errors of wear and crack rates at the last step: more samples, and axes with halved steps."""
     with output.errors_in_one_line():
@@ -168,11 +154,8 @@ def error(
         with inputs.refused_as_bad_input():
             found = Campaign(directory)
             open_workers = _workers(workers, scheduler)
-        try:
-            with open_workers as pool, output.status("cases"), inputs.refused_as_bad_input():
-                sizing = found.size(pool, runs, 1e-2 * stated)
-        except KeyboardInterrupt:
-            output.fail(output.INTERRUPTED, f"interrupted; {directory} is kept, and the same command goes on")
+        with _kept(directory), open_workers as pool, output.status("cases"):
+            sizing = found.size(pool, runs, 1e-2 * stated)
         output.print_line(sizing.words())
 
 
@@ -185,6 +168,29 @@ def status(directory: CampaignFolder) -> None:
         with inputs.refused_as_bad_input():
             found = Campaign(directory)
         _print_status(found)
+
+
+@contextmanager
+def _kept(folder: Path) -> Iterator[None]:
+    """What ends a campaign early, in one line that says that its folder goes on."""
+    from hh_exudyn.campaign.engine.mapping import TooManyFailed
+    from hh_exudyn.campaign.engine.workers import EngineStopped
+
+    goes_on = f"{folder} is kept, and the same command goes on"
+    try:
+        yield
+    except (TooManyFailed, EngineStopped) as error:
+        output.fail(output.STOPPED, str(error))
+    except KeyboardInterrupt:
+        output.fail(output.INTERRUPTED, f"interrupted; {goes_on}")
+    except SystemExit as end:
+        if end.code != output.TERMINATED:
+            raise
+        output.fail(output.TERMINATED, f"terminated; {goes_on}")
+    except (FileExistsError, ValueError) as error:  # another campaign's folder; what a case refuses
+        raise BadInput(str(error)) from None
+    except OSError as error:  # a full disk
+        output.fail(output.FAULT, f"{error}; {goes_on}")
 
 
 def _seconds(budget: str | None) -> float:

@@ -1,11 +1,14 @@
 """The tables of a campaign's file beside the load collective, and what is refused."""
 
+import errno
 from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
 
 from hh_exudyn.campaign.collective import template_text
+from hh_exudyn.campaign.engine.mapping import TooManyFailed
+from hh_exudyn.campaign.engine.workers import EngineStopped
 from hh_exudyn.campaign.life.campaign import Campaign
 from hh_exudyn.campaign.life.plan import CampaignPlan, campaign_of_text, read_campaign
 from hh_exudyn.cli.app import app
@@ -102,3 +105,32 @@ def test_the_campaigns_of_the_examples_are_plans(name: str, distance: float, hau
     assert plan.workshop is not None
     assert plan.of_steps.runs == 20
     assert len(collective.cases(collective.replicate()[:2])) == 2
+
+
+@pytest.mark.parametrize(
+    ("end", "code", "message"),
+    [
+        (OSError(errno.ENOSPC, "No space left on device"), 1, "is kept, and the same command goes on"),
+        (FileExistsError("out: made by other code"), 2, "made by other code"),
+        (TooManyFailed("3 cases failed"), 3, "3 cases failed"),
+        (EngineStopped("the scheduler has gone"), 3, "the scheduler has gone"),
+        (KeyboardInterrupt(), 130, "interrupted; "),
+        (SystemExit(143), 143, "terminated; "),
+    ],
+)
+@pytest.mark.parametrize("command", ["run", "error"])
+def test_what_ends_a_campaign_early_is_one_line_with_its_exit_code(
+    command: str, end: BaseException, code: int, message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def ending(*arguments: object, **options: object) -> None:
+        raise end
+
+    file, out = tmp_path / "a.toml", tmp_path / "out"
+    file.write_text(template_text(), encoding="utf-8")
+    Campaign.begin(file, out)
+    monkeypatch.setattr(Campaign, {"run": "run", "error": "size"}[command], ending)
+    given = {"run": ["run", str(file), "-o", str(out)], "error": ["error", str(out), "--runs", "9"]}[command]
+    found = CliRunner().invoke(app, ["campaign", *given, "--workers", "1"])
+    assert found.exit_code == code
+    assert message in found.stderr
+    assert "Traceback" not in found.stderr
