@@ -35,7 +35,8 @@ def rail_wear_figure(report: RailReport) -> Figure:
     for row, k in zip(axes, chosen, strict=True):
         for panel, rail in zip(row, report.found[k].pair, strict=True):
             _panel(panel, report, report.found[k], rail)
-    figure.supylabel("wear depth [mm per 100 MGT]", fontsize=9)
+    steel = report.rails.material.name
+    figure.supylabel(f"wear depth of rails of {steel} [mm per 100 MGT]", fontsize=9)
     figure.supxlabel("place on the rail profile [mm], seen forwards along the track", fontsize=9)
     handles, labels = axes[0, 0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper left", ncols=2, frameon=False, fontsize=8)
